@@ -1,0 +1,108 @@
+// Copyright (c) 2026 The Vertex_location_optimization authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POLYGON_MESH_PROCESSING_PN_TRIANGLE_SURFACE_H
+#define CGAL_POLYGON_MESH_PROCESSING_PN_TRIANGLE_SURFACE_H
+
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/make_patches.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/named_parameters.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Patch_surface.h>
+
+#include <CGAL/Default.h>
+#include <CGAL/tags.h>
+
+namespace CGAL {
+namespace Polygon_mesh_processing {
+
+/*!
+ * \ingroup PkgVertexLocationOptimizationSurfaces
+ *
+ * \brief The class `PN_triangle_surface` is the smooth surface that the vertices and normals of a triangle mesh suggest.
+ *
+ * Each face of the mesh carries a curved PN triangle \cgalCite{cgal:vpbm-cpt-01}: a cubic Bézier triangle that
+ * interpolates the vertices and is orthogonal to the normals there, and a quadratic interpolation of the normals.
+ * The normal at a corner of a face is the average of the normals of the faces around the vertex, weighted by their
+ * angles, up to the next crease or border. Both sides of a crease share its curve, so that the surface has no gap.
+ *
+ * The surface is a copy: it neither refers to the mesh nor changes with it. Once constructed it can be used by several
+ * threads at the same time.
+ *
+ * The construction takes \cgalBigO{n \log n} time for \f$ n \f$ faces, and a projection \cgalBigO{\log n} where the
+ * query point is near the surface.
+ *
+ * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+ * \tparam GeomTraits a model of `Kernel`, whose points the surface receives and returns. The computations are done in
+ *                    double precision. The default is the kernel of the points of `TriangleMesh`.
+ *
+ * \cgalModels `ReferenceSurface`
+ *
+ * \sa `CGAL::Polygon_mesh_processing::Flat_triangle_surface`
+ * \sa `CGAL::Polygon_mesh_processing::optimize_vertex_locations()`
+ */
+template <typename TriangleMesh, typename GeomTraits = Default>
+class PN_triangle_surface
+#ifndef DOXYGEN_RUNNING
+  : public internal::vertex_location::Patch_surface<internal::vertex_location::PN_triangle,
+      internal::vertex_location::Geom_traits_or_kernel_of<TriangleMesh, GeomTraits>>
+#endif
+{
+  using Base = internal::vertex_location::Patch_surface<internal::vertex_location::PN_triangle,
+    internal::vertex_location::Geom_traits_or_kernel_of<TriangleMesh, GeomTraits>>;
+
+public:
+  /*!
+   * \brief constructs the surface of `tmesh`.
+   *
+   * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+   * \tparam ConcurrencyTag enables sequential versus parallel construction; possible values are `Sequential_tag`,
+   *                        `Parallel_tag`, and `Parallel_if_available_tag`
+   *
+   * \param tmesh the triangle mesh
+   * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+   *
+   * \cgalNamedParamsBegin
+   *   \cgalParamNBegin{vertex_point_map}
+   *     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
+   *     \cgalParamType{a class model of `ReadablePropertyMap` with
+   *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
+   *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+   *   \cgalParamNEnd
+   *
+   *   \cgalParamNBegin{edge_is_constrained_map}
+   *     \cgalParamDescription{a property map containing the crease-or-not status of each edge of `tmesh`}
+   *     \cgalParamType{a class model of `ReadablePropertyMap` with
+   *                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type}
+   *     \cgalParamDefault{the edges sharper than `sharpness_angle` are creases}
+   *     \cgalParamExtra{If both this map and `sharpness_angle` are given, an edge is a crease if one of them says so.}
+   *   \cgalParamNEnd
+   *
+   *   \cgalParamNBegin{sharpness_angle}
+   *     \cgalParamDescription{An edge is a crease if the normals of its two faces differ by more than this angle.}
+   *     \cgalParamType{a number type convertible to `double`, in degrees}
+   *     \cgalParamDefault{`45`}
+   *   \cgalParamNEnd
+   *
+   *   \cgalParamNBegin{geom_traits}
+   *     \cgalParamDescription{an instance of a geometric traits class}
+   *     \cgalParamType{a class model of `Kernel`}
+   *     \cgalParamDefault{a \cgal kernel deduced from the point type, using `CGAL::Kernel_traits`}
+   *     \cgalParamExtra{It must be compatible with the point type. The surface itself uses `GeomTraits`.}
+   *   \cgalParamNEnd
+   * \cgalNamedParamsEnd
+   *
+   * \pre `CGAL::is_triangle_mesh(tmesh)`, and all coordinates are finite. Otherwise the surface is empty.
+   */
+  template <typename NamedParameters = parameters::Default_named_parameters, typename ConcurrencyTag = Sequential_tag>
+  explicit PN_triangle_surface(const TriangleMesh& tmesh,
+                               const NamedParameters& np = parameters::default_values(),
+                               const ConcurrencyTag& = ConcurrencyTag())
+    : Base(internal::vertex_location::make_PN_triangles<ConcurrencyTag>(tmesh, np))
+  {}
+};
+
+} // namespace Polygon_mesh_processing
+} // namespace CGAL
+
+#endif // CGAL_POLYGON_MESH_PROCESSING_PN_TRIANGLE_SURFACE_H

@@ -1,0 +1,75 @@
+// Copyright (c) 2026 The Vertex_location_optimization authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POLYGON_MESH_PROCESSING_VERTEX_LOCATION_OPTIMIZATION_REPORT_H
+#define CGAL_POLYGON_MESH_PROCESSING_VERTEX_LOCATION_OPTIMIZATION_REPORT_H
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Polygon_mesh_processing {
+
+/*!
+ * \ingroup PkgVertexLocationOptimizationRef
+ *
+ * \brief What an optimization did.
+ *
+ * \sa `CGAL::Polygon_mesh_processing::optimize_vertex_locations()`
+ */
+struct Vertex_location_optimization_report
+{
+  /// the number of iterations done; `0` if the input was unsuitable or there was nothing to do
+  std::size_t iterations = 0;
+
+  /// whether no vertex moved farther than the convergence threshold in the last iteration
+  bool converged = false;
+
+  /// how far the vertex that moved farthest in the last iteration moved, in the unit of the input
+  double displacement = 0;
+
+  /// the number of vertices whose moves were shortened, so that no face is flipped and nothing gets worse
+  std::size_t corrected_vertices = 0;
+};
+
+/*!
+ * \ingroup PkgVertexLocationOptimizationRef
+ *
+ * \brief The phases of an iteration, in their order.
+ */
+enum Vertex_location_optimization_phase
+{
+  /// samples are taken from the reference surface
+  SAMPLE_REFERENCE,
+  /// the vertices are fitted to the samples
+  FIT_VERTICES,
+  /// the vertices are relaxed along the surface
+  RELAX_VERTICES,
+  /// moves that flip a face are shortened
+  CORRECT_FLIPS
+};
+
+/*!
+ * \ingroup PkgVertexLocationOptimizationRef
+ *
+ * \brief The default visitor of `CGAL::Polygon_mesh_processing::optimize_vertex_locations()`: it does nothing.
+ *
+ * \cgalModels `VertexLocationOptimizationVisitor`
+ */
+struct Vertex_location_optimization_default_visitor
+{
+  /// is called before each phase.
+  void start_phase(Vertex_location_optimization_phase) {}
+
+  /// is called after each iteration with the report so far.
+  void end_iteration(const Vertex_location_optimization_report&) {}
+
+  /// is called before each phase; if it returns `false`, the run ends with the result of the last complete iteration.
+  bool go_further() { return true; }
+};
+
+} // namespace Polygon_mesh_processing
+} // namespace CGAL
+
+#endif // CGAL_POLYGON_MESH_PROCESSING_VERTEX_LOCATION_OPTIMIZATION_REPORT_H

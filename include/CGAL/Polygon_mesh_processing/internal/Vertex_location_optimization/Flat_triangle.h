@@ -1,0 +1,119 @@
+// Copyright (c) 2026 The Vertex_location_optimization authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_FLAT_TRIANGLE_H
+#define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_FLAT_TRIANGLE_H
+
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/geometry.h>
+
+#include <CGAL/Bbox_3.h>
+
+#include <algorithm>
+#include <array>
+
+namespace CGAL {
+namespace Polygon_mesh_processing {
+namespace internal {
+namespace vertex_location {
+
+// Barycentric coordinates of a point of a triangle with respect to its corners 1 and 2; that of corner 0 is 1 - u - v.
+struct Coordinates
+{
+  double u = 1. / 3.;
+  double v = 1. / 3.;
+};
+
+inline Point point_at(const std::array<Point, 3>& t, const Coordinates& x)
+{
+  return t[0] + (x.u * (t[1] - t[0]) + x.v * (t[2] - t[0]));
+}
+
+// Coordinate along [0, 1] of the point of the segment pq that is closest to x.
+inline double closest_on_segment(const Point& p, const Point& q, const Point& x)
+{
+  const Vector d = q - p;
+  const double length2 = d.squared_length();
+  return length2 > 0 ? (std::min)(1., (std::max)(0., ((x - p) * d) / length2)) : 0.;
+}
+
+// Coordinates of the point of the triangle that is closest to x; any triangle, also one without an area.
+inline Coordinates closest_on_triangle(const std::array<Point, 3>& t, const Point& x)
+{
+  const Vector a = t[1] - t[0], b = t[2] - t[0], d = x - t[0];
+  const Vector n = cross_product(a, b);
+  const double n2 = n.squared_length();
+  if(n2 > 0)
+  {
+    const double u = (cross_product(d, b) * n) / n2;
+    const double v = (cross_product(a, d) * n) / n2;
+    if(u >= 0 && v >= 0 && u + v <= 1)
+      return { u, v };
+  }
+
+  // the foot is on the boundary
+  const double s = closest_on_segment(t[0], t[1], x);
+  const double r = closest_on_segment(t[0], t[2], x);
+  const double w = closest_on_segment(t[1], t[2], x);
+  const std::array<Coordinates, 3> candidates{ { { s, 0. }, { 0., r }, { 1. - w, w } } };
+  Coordinates best = candidates[0];
+  double best_distance = squared_distance(point_at(t, best), x);
+  for(int i = 1; i < 3; ++i)
+  {
+    const double distance = squared_distance(point_at(t, candidates[i]), x);
+    if(distance < best_distance)
+    {
+      best_distance = distance;
+      best = candidates[i];
+    }
+  }
+  return best;
+}
+
+// A triangle as a patch of a reference surface. A patch has
+//   - bbox(), a box that contains it, and reference_point(), a point near its middle;
+//   - point(x) and normal(x), a unit vector or the null vector;
+//   - improve_foot(q, x, d2): if the patch has a point that is closer to q than sqrt(d2), sets x to its coordinates and
+//     d2 to its squared distance, and returns true;
+//   - improve_foot_from(q, x, d2), the same with x as initial guess.
+class Flat_triangle
+{
+public:
+  Flat_triangle() = default;
+  explicit Flat_triangle(const std::array<Point, 3>& corners) : m_corners(corners) {}
+
+  Bbox_3 bbox() const { return m_corners[0].bbox() + m_corners[1].bbox() + m_corners[2].bbox(); }
+  Point reference_point() const { return point(Coordinates()); }
+  Point point(const Coordinates& x) const { return point_at(m_corners, x); }
+  Vector normal(const Coordinates&) const
+  {
+    return normalized(area_normal(m_corners[0], m_corners[1], m_corners[2]));
+  }
+
+  bool improve_foot(const Point& query, Coordinates& x, double& squared_distance_bound) const
+  {
+    const Coordinates foot = closest_on_triangle(m_corners, query);
+    const double distance = squared_distance(query, point(foot));
+    if(!(distance < squared_distance_bound))
+      return false;
+    squared_distance_bound = distance;
+    x = foot;
+    return true;
+  }
+
+  bool improve_foot_from(const Point& query, Coordinates& x, double& squared_distance_bound) const
+  {
+    return improve_foot(query, x, squared_distance_bound);
+  }
+
+private:
+  std::array<Point, 3> m_corners;
+};
+
+} // namespace vertex_location
+} // namespace internal
+} // namespace Polygon_mesh_processing
+} // namespace CGAL
+
+#endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_FLAT_TRIANGLE_H

@@ -1,0 +1,179 @@
+// Copyright (c) 2026 The Vertex_location_optimization authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_MESH_ARRAYS_H
+#define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_MESH_ARRAYS_H
+
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/geometry.h>
+
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/hilbert_sort.h>
+#include <CGAL/property_map.h>
+#include <CGAL/Spatial_sort_traits_adapter_3.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Polygon_mesh_processing {
+namespace internal {
+namespace vertex_location {
+
+// A triangle mesh in contiguous arrays, in an order in which what is close in space is close in memory.
+//
+// Corner c = 3 f + k is the corner k of face f. The edge opposite to corner k of f is `face_edges[f][k]`: it goes from
+// the corner k + 1 to the corner k + 2 of f.
+struct Mesh_arrays
+{
+  std::vector<Point> points;
+  std::vector<std::array<Index, 3>> faces;
+  std::vector<std::array<Index, 3>> face_edges;
+  std::vector<std::array<Index, 2>> edges;
+  std::vector<std::array<Index, 2>> edge_corners; // the corners opposite to an edge; no_index: none, a border edge
+
+  std::array<Point, 3> triangle(std::size_t f) const
+  {
+    return { points[faces[f][0]], points[faces[f][1]], points[faces[f][2]] };
+  }
+
+  Vector area_normal(std::size_t f) const
+  {
+    const std::array<Point, 3> t = triangle(f);
+    return vertex_location::area_normal(t[0], t[1], t[2]);
+  }
+
+  Index vertex(Index corner) const { return faces[corner / 3][corner % 3]; }
+  static Index next(Index corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
+  static Index previous(Index corner) { return corner % 3 == 0 ? corner + 2 : corner - 1; }
+  Index opposite_edge(Index corner) const { return face_edges[corner / 3][corner % 3]; }
+  bool is_border(std::size_t e) const { return edge_corners[e][0] == no_index || edge_corners[e][1] == no_index; }
+
+  // the corner at the same vertex in the face across the edge that is opposite to the next corner; no_index at a border
+  Index corner_across_next(Index corner) const
+  {
+    const Index opposite = across(next(corner));
+    return opposite == no_index ? no_index : next(opposite);
+  }
+
+  // the same across the edge that is opposite to the previous corner
+  Index corner_across_previous(Index corner) const
+  {
+    const Index opposite = across(previous(corner));
+    return opposite == no_index ? no_index : previous(opposite);
+  }
+
+private:
+  // the corner opposite to the same edge on its other side
+  Index across(Index corner) const
+  {
+    const std::array<Index, 2>& corners = edge_corners[opposite_edge(corner)];
+    return corners[0] == corner ? corners[1] : corners[0];
+  }
+};
+
+// The descriptors behind the elements of a `Mesh_arrays`.
+template <typename TriangleMesh>
+struct Mesh_descriptors
+{
+  std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> vertices;
+  std::vector<typename boost::graph_traits<TriangleMesh>::edge_descriptor> edges;
+  std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor> faces;
+};
+
+// Whether `tmesh` can be worked on: all its faces are triangles and all its coordinates are finite.
+template <typename TriangleMesh, typename VertexPointMap>
+bool is_valid_input(const TriangleMesh& tmesh, const VertexPointMap& vpm)
+{
+  for(auto v : vertices(tmesh))
+    if(!is_finite(convert<Point>(get(vpm, v))))
+      return false;
+  return is_triangle_mesh(tmesh);
+}
+
+// Copies `tmesh`, for which `is_valid_input(tmesh, vpm)` must hold, and appends to `descriptors`.
+template <typename TriangleMesh, typename VertexPointMap>
+Mesh_arrays make_mesh_arrays(const TriangleMesh& tmesh,
+                             const VertexPointMap& vpm,
+                             Mesh_descriptors<TriangleMesh>& descriptors)
+{
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+
+  Mesh_arrays mesh;
+
+  // vertices along a space-filling curve
+  std::vector<std::pair<Point, vertex_descriptor>> vertex_order;
+  for(vertex_descriptor v : vertices(tmesh))
+    vertex_order.emplace_back(convert<Point>(get(vpm, v)), v);
+  using First = First_of_pair_property_map<std::pair<Point, vertex_descriptor>>;
+  hilbert_sort(vertex_order.begin(), vertex_order.end(), Spatial_sort_traits_adapter_3<Kernel, First>());
+
+  auto vertex_index = get(dynamic_vertex_property_t<Index>(), tmesh);
+  for(const auto& [point, v] : vertex_order)
+  {
+    put(vertex_index, v, static_cast<Index>(mesh.points.size()));
+    mesh.points.push_back(point);
+    descriptors.vertices.push_back(v);
+  }
+
+  // edges and faces in the order of their first vertex
+  auto sort_by_first_vertex = [](auto& keyed)
+  {
+    std::stable_sort(keyed.begin(), keyed.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  };
+
+  std::vector<std::pair<Index, typename boost::graph_traits<TriangleMesh>::edge_descriptor>> edge_order;
+  for(auto e : CGAL::edges(tmesh))
+    edge_order.emplace_back((std::min)(get(vertex_index, source(e, tmesh)), get(vertex_index, target(e, tmesh))), e);
+  sort_by_first_vertex(edge_order);
+
+  auto edge_index = get(dynamic_edge_property_t<Index>(), tmesh);
+  for(const auto& key_and_edge : edge_order)
+  {
+    const auto e = key_and_edge.second;
+    put(edge_index, e, static_cast<Index>(mesh.edges.size()));
+    mesh.edges.push_back({ get(vertex_index, source(e, tmesh)), get(vertex_index, target(e, tmesh)) });
+    mesh.edge_corners.push_back({ no_index, no_index });
+    descriptors.edges.push_back(e);
+  }
+
+  std::vector<std::pair<Index, typename boost::graph_traits<TriangleMesh>::face_descriptor>> face_order;
+  for(auto f : CGAL::faces(tmesh))
+  {
+    Index first = no_index;
+    for(auto v : vertices_around_face(halfedge(f, tmesh), tmesh))
+      first = (std::min)(first, get(vertex_index, v));
+    face_order.emplace_back(first, f);
+  }
+  sort_by_first_vertex(face_order);
+
+  for(const auto& key_and_face : face_order)
+  {
+    const Index f = static_cast<Index>(mesh.faces.size());
+    mesh.faces.emplace_back();
+    mesh.face_edges.emplace_back();
+    Index k = 0;
+    for(auto h : halfedges_around_face(halfedge(key_and_face.second, tmesh), tmesh))
+    {
+      const Index e = get(edge_index, edge(h, tmesh));
+      mesh.faces[f][k] = get(vertex_index, target(next(h, tmesh), tmesh));
+      mesh.face_edges[f][k] = e;
+      mesh.edge_corners[e][mesh.edge_corners[e][0] == no_index ? 0 : 1] = 3 * f + k;
+      ++k;
+    }
+    descriptors.faces.push_back(key_and_face.second);
+  }
+  return mesh;
+}
+
+} // namespace vertex_location
+} // namespace internal
+} // namespace Polygon_mesh_processing
+} // namespace CGAL
+
+#endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_MESH_ARRAYS_H

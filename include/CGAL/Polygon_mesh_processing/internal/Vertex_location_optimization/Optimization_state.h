@@ -1,0 +1,90 @@
+// Copyright (c) 2026 The Vertex_location_optimization authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_OPTIMIZATION_STATE_H
+#define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_OPTIMIZATION_STATE_H
+
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/for_each_index.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Mesh_arrays.h>
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Polygon_mesh_processing {
+namespace internal {
+namespace vertex_location {
+
+// What the phases of an iteration read and write. Foot is that of the reference surface.
+template <typename Foot>
+struct Optimization_state
+{
+  // `is_fixed[i]` is not 0 for a vertex that must stay
+  Optimization_state(Mesh_arrays mesh_arrays, std::vector<char> is_fixed)
+    : mesh(std::move(mesh_arrays)), is_fixed(std::move(is_fixed)), initial_points(mesh.points), targets(mesh.points),
+      vertex_samples(mesh.points.size()), vertex_normals(mesh.points.size(), NULL_VECTOR),
+      midpoint_samples(mesh.edges.size()), vertex_feet(mesh.points.size()), midpoint_feet(mesh.edges.size())
+  {
+    group_corners_by_vertex();
+
+    double area = 0, length = 0;
+    for(std::size_t f = 0; f < mesh.faces.size(); ++f)
+      area += norm(mesh.area_normal(f)) / 2;
+    for(const std::array<Index, 2>& e : mesh.edges)
+      length += norm(mesh.points[e[1]] - mesh.points[e[0]]);
+    spring_length = 0.3 * std::sqrt(area / mesh.points.size());
+    mean_edge_length = mesh.edges.empty() ? 0 : length / mesh.edges.size();
+  }
+
+  // calls f(c) for each corner c at vertex i
+  template <typename F>
+  void for_each_corner(std::size_t i, const F& f) const
+  {
+    for(Index k = first_corner[i]; k < first_corner[i + 1]; ++k)
+      f(corners[k]);
+  }
+
+  Mesh_arrays mesh;                      // M_t, with the points v_i
+  std::vector<char> is_fixed;
+  std::vector<Point> initial_points;     // of M_0
+  std::vector<Point> targets;            // p^_i, which become the points of M_t+1
+
+  std::vector<Point> vertex_samples;     // p_i
+  std::vector<Vector> vertex_normals;    // n_i
+  std::vector<Point> midpoint_samples;   // m_ij
+  std::vector<Foot> vertex_feet;         // where p_i is on the reference
+  std::vector<Foot> midpoint_feet;       // where m_ij is
+
+  double spring_length = 0;              // sigma of (3)
+  double mean_edge_length = 0;           // of M_0
+
+private:
+  void group_corners_by_vertex()
+  {
+    first_corner.assign(mesh.points.size() + 1, 0);
+    for(const std::array<Index, 3>& face : mesh.faces)
+      for(Index i : face)
+        ++first_corner[i + 1];
+    for(std::size_t i = 0; i < mesh.points.size(); ++i)
+      first_corner[i + 1] += first_corner[i];
+
+    corners.resize(3 * mesh.faces.size());
+    std::vector<Index> end(first_corner.begin(), first_corner.end() - 1);
+    for(Index c = 0; c < corners.size(); ++c)
+      corners[end[mesh.vertex(c)]++] = c;
+  }
+
+  // the corners at vertex i are corners[first_corner[i]], ..., corners[first_corner[i + 1] - 1]
+  std::vector<Index> first_corner;
+  std::vector<Index> corners;
+};
+
+} // namespace vertex_location
+} // namespace internal
+} // namespace Polygon_mesh_processing
+} // namespace CGAL
+
+#endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_OPTIMIZATION_STATE_H

@@ -1,0 +1,169 @@
+// Copyright (c) 2026 The Vertex_location_optimization authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_VERTEX_LOCATION_OPTIMIZER_H
+#define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_VERTEX_LOCATION_OPTIMIZER_H
+
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/correct_flips.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/fit_piecewise_linear.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/relax_springs.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/sample_reference.h>
+#include <CGAL/Polygon_mesh_processing/Vertex_location_optimization_report.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Polygon_mesh_processing {
+namespace internal {
+namespace vertex_location {
+
+struct Allow_all_moves
+{
+  template <typename Vertex, typename Point>
+  bool operator()(const Vertex&, const Point&, const Point&) const { return true; }
+};
+
+struct Options
+{
+  std::size_t number_of_iterations = 30;
+  std::size_t number_of_free_iterations = 20;
+  std::size_t number_of_relaxation_steps = 1;
+  double convergence_threshold = 1e-6; // relative to the mean edge length
+};
+
+// Algorithm 1: moves the vertices of the mesh in `state` to where its faces approximate `reference` best. `Allow_move` is
+// a functor (i, source, target) -> bool.
+template <typename ConcurrencyTag, typename ReferenceSurface, typename AllowMove, typename Visitor>
+class Vertex_location_optimizer
+{
+  using State = Optimization_state<typename ReferenceSurface::Foot>;
+
+public:
+  Vertex_location_optimizer(State& state,
+                            const ReferenceSurface& reference,
+                            const Options& options,
+                            const AllowMove& allow_move,
+                            Visitor& visitor)
+    : m_state(state), m_reference(reference), m_options(options), m_allow_move(allow_move), m_visitor(visitor),
+      m_is_corrected(state.mesh.points.size(), 0)
+  {}
+
+  Vertex_location_optimization_report run()
+  {
+    while(m_report.iterations < m_options.number_of_iterations && !m_report.converged && iterate())
+      m_visitor.end_iteration(m_report);
+    return m_report;
+  }
+
+private:
+  // one iteration; false if the visitor stopped it
+  bool iterate()
+  {
+    const bool is_free = m_report.iterations < m_options.number_of_free_iterations;
+
+    if(!start_phase(SAMPLE_REFERENCE))
+      return false;
+    sample_reference<ConcurrencyTag>(m_reference, m_state, m_report.iterations > 0);
+
+    if(!start_phase(FIT_VERTICES))
+      return false;
+    fit_piecewise_linear<ConcurrencyTag>(m_state, !is_free);
+
+    // once only the part along the normal is taken, nothing moves a vertex along the surface
+    if(is_free)
+    {
+      if(!start_phase(RELAX_VERTICES))
+        return false;
+      relax_springs<ConcurrencyTag>(m_state, m_options.number_of_relaxation_steps);
+    }
+
+    if(!start_phase(CORRECT_FLIPS))
+      return false;
+    keep_non_finite_targets_away();
+    do
+      correct_flips<ConcurrencyTag>(m_state, m_is_corrected);
+    while(refuse_moves());
+
+    move_vertices();
+    return true;
+  }
+
+  bool start_phase(Vertex_location_optimization_phase phase)
+  {
+    if(!m_visitor.go_further())
+      return false;
+    m_visitor.start_phase(phase);
+    return true;
+  }
+
+  // where coordinates are so large that their products overflow
+  void keep_non_finite_targets_away()
+  {
+    for_each_index<ConcurrencyTag>(m_state.targets.size(), [&](std::size_t i)
+    {
+      if(!is_finite(m_state.targets[i]))
+        m_state.targets[i] = m_state.mesh.points[i];
+    });
+  }
+
+  // Takes back the moves that the user does not allow; returns whether there were any.
+  bool refuse_moves()
+  {
+    bool refused = false;
+    for(std::size_t i = 0; i < m_state.targets.size(); ++i)
+    {
+      const Point& source = m_state.mesh.points[i];
+      Point& target = m_state.targets[i];
+      if(target != source && !m_allow_move(i, source, target))
+      {
+        target = source;
+        refused = true;
+      }
+    }
+    return refused;
+  }
+
+  void move_vertices()
+  {
+    double squared_displacement = 0;
+    for(std::size_t i = 0; i < m_state.targets.size(); ++i)
+      squared_displacement = (std::max)(squared_displacement,
+                                        squared_distance(m_state.mesh.points[i], m_state.targets[i]));
+    m_state.mesh.points.swap(m_state.targets);
+
+    ++m_report.iterations;
+    m_report.displacement = std::sqrt(squared_displacement);
+    m_report.converged = m_report.displacement <= m_options.convergence_threshold * m_state.mean_edge_length;
+    m_report.corrected_vertices = std::count(m_is_corrected.begin(), m_is_corrected.end(), 1);
+  }
+
+  State& m_state;
+  const ReferenceSurface& m_reference;
+  const Options m_options;
+  const AllowMove& m_allow_move;
+  Visitor& m_visitor;
+  std::vector<char> m_is_corrected;
+  Vertex_location_optimization_report m_report;
+};
+
+template <typename ConcurrencyTag, typename ReferenceSurface, typename AllowMove, typename Visitor>
+Vertex_location_optimization_report optimize(Optimization_state<typename ReferenceSurface::Foot>& state,
+                                             const ReferenceSurface& reference,
+                                             const Options& options,
+                                             const AllowMove& allow_move,
+                                             Visitor& visitor)
+{
+  using Optimizer = Vertex_location_optimizer<ConcurrencyTag, ReferenceSurface, AllowMove, Visitor>;
+  return Optimizer(state, reference, options, allow_move, visitor).run();
+}
+
+} // namespace vertex_location
+} // namespace internal
+} // namespace Polygon_mesh_processing
+} // namespace CGAL
+
+#endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_VERTEX_LOCATION_OPTIMIZER_H

@@ -1,0 +1,115 @@
+// Copyright (c) 2026 The Vertex_location_optimization authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_MAKE_PATCHES_H
+#define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_MAKE_PATCHES_H
+
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/corner_normals.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/named_parameters.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/PN_triangle.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/read_parameters.h>
+
+#include <CGAL/assertions.h>
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Polygon_mesh_processing {
+namespace internal {
+namespace vertex_location {
+
+// one flat triangle a face of `tmesh`
+template <typename ConcurrencyTag, typename TriangleMesh, typename NamedParameters>
+std::vector<Flat_triangle> make_flat_triangles(const TriangleMesh& tmesh, const NamedParameters& np)
+{
+  const auto vpm = read_vertex_point_map(tmesh, np);
+  const bool is_valid = is_valid_input(tmesh, vpm);
+  CGAL_precondition(is_valid);
+  if(!is_valid)
+    return {};
+
+  Mesh_descriptors<TriangleMesh> descriptors;
+  const Mesh_arrays mesh = make_mesh_arrays(tmesh, vpm, descriptors);
+  std::vector<Flat_triangle> patches(mesh.faces.size());
+  for_each_index<ConcurrencyTag>(patches.size(), [&](std::size_t f) { patches[f] = Flat_triangle(mesh.triangle(f)); });
+  return patches;
+}
+
+// The creases of a reference: the edges that the user constrains, and those that are sharp unless the user leaves it at
+// the constrained ones.
+template <typename ConcurrencyTag, typename TriangleMesh, typename NamedParameters>
+std::vector<char> find_creases(const Mesh_arrays& mesh,
+                               const Mesh_descriptors<TriangleMesh>& descriptors,
+                               const std::vector<Vector>& face_normals,
+                               const NamedParameters& np)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using parameters::is_default_parameter;
+
+  constexpr bool has_map = !is_default_parameter<NamedParameters, internal_np::edge_is_constrained_t>::value;
+  constexpr bool has_angle = !is_default_parameter<NamedParameters, internal_np::sharpness_angle_t>::value;
+
+  std::vector<char> is_crease(mesh.edges.size(), 0);
+  if constexpr(has_angle || !has_map)
+  {
+    const double angle = to_double(choose_parameter(get_parameter(np, internal_np::sharpness_angle), 45.));
+    is_crease = detect_creases<ConcurrencyTag>(mesh, face_normals, std::cos(angle * CGAL_PI / 180));
+  }
+  if constexpr(has_map)
+  {
+    const auto is_constrained = get_parameter(np, internal_np::edge_is_constrained);
+    for(std::size_t e = 0; e < mesh.edges.size(); ++e)
+      if(get(is_constrained, descriptors.edges[e]))
+        is_crease[e] = 1;
+  }
+  return is_crease;
+}
+
+// one curved PN triangle a face of `tmesh`
+template <typename ConcurrencyTag, typename TriangleMesh, typename NamedParameters>
+std::vector<PN_triangle> make_PN_triangles(const TriangleMesh& tmesh, const NamedParameters& np)
+{
+  const auto vpm = read_vertex_point_map(tmesh, np);
+  const bool is_valid = is_valid_input(tmesh, vpm);
+  CGAL_precondition(is_valid);
+  if(!is_valid)
+    return {};
+
+  Mesh_descriptors<TriangleMesh> descriptors;
+  const Mesh_arrays mesh = make_mesh_arrays(tmesh, vpm, descriptors);
+  const std::vector<Vector> face_normals = compute_face_normals<ConcurrencyTag>(mesh);
+  const std::vector<char> is_crease = find_creases<ConcurrencyTag>(mesh, descriptors, face_normals, np);
+  const std::vector<Vector> corner_normals = compute_corner_normals<ConcurrencyTag>(mesh, face_normals, is_crease);
+
+  std::vector<PN_triangle> patches(mesh.faces.size());
+  for_each_index<ConcurrencyTag>(patches.size(), [&](std::size_t f)
+  {
+    auto normal_or = [&](Index corner, const Vector& otherwise)
+    {
+      return corner == no_index ? otherwise : corner_normals[corner];
+    };
+    std::array<PN_triangle::Corner, 3> corners;
+    for(Index k = 0; k < 3; ++k)
+    {
+      const Index c = static_cast<Index>(3 * f + k);
+      const Vector& n = corner_normals[c];
+      // the edge to the next corner is the one opposite to the previous corner
+      corners[k] = { mesh.points[mesh.vertex(c)], n,
+                     normal_or(mesh.corner_across_previous(c), n), normal_or(mesh.corner_across_next(c), n) };
+    }
+    patches[f] = PN_triangle(corners);
+  });
+  return patches;
+}
+
+} // namespace vertex_location
+} // namespace internal
+} // namespace Polygon_mesh_processing
+} // namespace CGAL
+
+#endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_MAKE_PATCHES_H

@@ -1,0 +1,64 @@
+// Copyright (c) 2026 The Vertex_location_optimization authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_NAMED_PARAMETERS_H
+#define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_NAMED_PARAMETERS_H
+
+#include <CGAL/Named_function_parameters.h>
+
+namespace CGAL {
+
+namespace internal_np {
+enum number_of_free_iterations_t { number_of_free_iterations };
+enum convergence_threshold_t { convergence_threshold };
+enum placement_method_t { placement_method };
+} // namespace internal_np
+
+namespace Polygon_mesh_processing {
+namespace internal {
+
+// The named parameters of this package. `Named_function_parameters` is closed to new members, so this class adds them;
+// it holds no data of its own, so that converting it to its base loses nothing. A parameter of CGAL that is chained to
+// it returns a `Named_function_parameters`: parameters of this package come first.
+template <typename T, typename Tag, typename Base = internal_np::No_property>
+struct Vertex_location_named_parameters
+  : Named_function_parameters<T, Tag, Base>
+{
+  using Parameters = Named_function_parameters<T, Tag, Base>;
+  using Parameters::Parameters;
+
+#define CGAL_VERTEX_LOCATION_named_parameter(NAME)                                                                     \
+  template <typename K>                                                                                                \
+  Vertex_location_named_parameters<K, internal_np::NAME##_t, Parameters> NAME(const K& k) const                        \
+  {                                                                                                                    \
+    return Vertex_location_named_parameters<K, internal_np::NAME##_t, Parameters>(k, *this);                           \
+  }
+  CGAL_VERTEX_LOCATION_named_parameter(number_of_free_iterations)
+  CGAL_VERTEX_LOCATION_named_parameter(convergence_threshold)
+  CGAL_VERTEX_LOCATION_named_parameter(placement_method)
+  CGAL_VERTEX_LOCATION_named_parameter(sharpness_angle)
+#undef CGAL_VERTEX_LOCATION_named_parameter
+};
+
+} // namespace internal
+} // namespace Polygon_mesh_processing
+
+namespace parameters {
+
+#define CGAL_VERTEX_LOCATION_named_parameter(NAME)                                                                     \
+  template <typename K>                                                                                                \
+  Polygon_mesh_processing::internal::Vertex_location_named_parameters<K, internal_np::NAME##_t> NAME(const K& k)       \
+  {                                                                                                                    \
+    return Polygon_mesh_processing::internal::Vertex_location_named_parameters<K, internal_np::NAME##_t>(k);           \
+  }
+CGAL_VERTEX_LOCATION_named_parameter(number_of_free_iterations)
+CGAL_VERTEX_LOCATION_named_parameter(convergence_threshold)
+CGAL_VERTEX_LOCATION_named_parameter(placement_method)
+#undef CGAL_VERTEX_LOCATION_named_parameter
+
+} // namespace parameters
+} // namespace CGAL
+
+#endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_NAMED_PARAMETERS_H

@@ -1,0 +1,216 @@
+// Copyright (c) 2026 The Vertex_location_optimization authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POLYGON_MESH_PROCESSING_OPTIMIZE_VERTEX_LOCATIONS_H
+#define CGAL_POLYGON_MESH_PROCESSING_OPTIMIZE_VERTEX_LOCATIONS_H
+
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/named_parameters.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/read_parameters.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Vertex_location_optimizer.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/with_reference_surface.h>
+#include <CGAL/Polygon_mesh_processing/Vertex_location_optimization_report.h>
+
+#include <CGAL/assertions.h>
+#include <CGAL/tags.h>
+
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Polygon_mesh_processing {
+
+/*!
+ * \ingroup PkgVertexLocationOptimizationRef
+ *
+ * \brief moves the vertices of a remesh off the surface that it was made from, so that its faces approximate that
+ *        surface as well as its connectivity can.
+ *
+ * The vertices that a remesher leaves *on* a curved surface make a piecewise linear surface that lies wholly on one side
+ * of it wherever it is convex or concave. This function keeps the connectivity and balances the error on both sides:
+ * the mean distance between the two surfaces falls to about half, and on a sphere to a fifth.
+ *
+ * Each iteration samples the reference at the vertices and at the midpoints of the edges, replaces each vertex by that
+ * of the best piecewise linear fit to the samples around it, lets springs between neighbors keep the triangles regular,
+ * and shortens moves that flip a face. It is Algorithm 1 of \cgalCite{cgal:vlo-12}; its equations (1) to (4) are those
+ * of the fit and of the springs.
+ *
+ * The result does not depend on the number of threads.
+ *
+ * An iteration takes \cgalBigO{n \log m} time for \f$ n \f$ vertices and a reference of \f$ m \f$ faces.
+ *
+ * \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
+ *                        `Parallel_tag`, and `Parallel_if_available_tag`.
+ * \tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph`, and `VertexListGraph`
+ * \tparam Reference a model of `FaceListGraph`, `HalfedgeListGraph`, and `VertexListGraph`, of any type, or a model of
+ *                   `ReferenceSurface`
+ * \tparam NamedParameters1 a sequence of \ref bgl_namedparameters "Named Parameters"
+ * \tparam NamedParameters2 a sequence of \ref bgl_namedparameters "Named Parameters"
+ *
+ * \param tmesh the remesh, whose vertices are moved
+ * \param reference the surface that `tmesh` approximates: the triangle mesh that was remeshed, which is taken as a
+ *                  `PN_triangle_surface`, or a reference surface, which can serve for many calls
+ * \param np1 an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{vertex_point_map}
+ *     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
+ *     \cgalParamType{a class model of `ReadWritePropertyMap` with
+ *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
+ *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+ *     \cgalParamExtra{If this parameter is omitted, an internal property map for `CGAL::vertex_point_t` must be
+ *                     available in `TriangleMesh`.}
+ *   \cgalParamNEnd
+ *
+ *   \cgalParamNBegin{geom_traits}
+ *     \cgalParamDescription{an instance of a geometric traits class}
+ *     \cgalParamType{a class model of `Kernel`}
+ *     \cgalParamDefault{a \cgal kernel deduced from the point type, using `CGAL::Kernel_traits`}
+ *     \cgalParamExtra{The geometric traits class must be compatible with the vertex point type. The computations are
+ *                     done in double precision with any kernel; with an exact one the points of the vertices that move
+ *                     are converted.}
+ *   \cgalParamNEnd
+ *
+ *   \cgalParamNBegin{number_of_iterations}
+ *     \cgalParamDescription{the number of iterations at most}
+ *     \cgalParamType{unsigned integer}
+ *     \cgalParamDefault{`30`}
+ *   \cgalParamNEnd
+ *
+ *   \cgalParamNBegin{number_of_free_iterations}
+ *     \cgalParamDescription{In the first so many iterations a vertex moves freely, afterwards only along the normal of
+ *                           the reference.}
+ *     \cgalParamType{unsigned integer}
+ *     \cgalParamDefault{`20`}
+ *   \cgalParamNEnd
+ *
+ *   \cgalParamNBegin{convergence_threshold}
+ *     \cgalParamDescription{The iterations end when no vertex has moved farther than this, relative to the mean edge
+ *                           length of `tmesh`.}
+ *     \cgalParamType{a number type convertible to `double`}
+ *     \cgalParamDefault{`1e-6`}
+ *   \cgalParamNEnd
+ *
+ *   \cgalParamNBegin{number_of_relaxation_steps}
+ *     \cgalParamDescription{the number of steps of the springs in each free iteration; `0`: no springs}
+ *     \cgalParamType{unsigned integer}
+ *     \cgalParamDefault{`1`}
+ *   \cgalParamNEnd
+ *
+ *   \cgalParamNBegin{edge_is_constrained_map}
+ *     \cgalParamDescription{a property map containing the constrained-or-not status of each edge of `tmesh`. The
+ *                           vertices of constrained edges do not move.}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with
+ *                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type}
+ *     \cgalParamDefault{a default property map where no edge is constrained}
+ *     \cgalParamExtra{Border edges are always constrained.}
+ *   \cgalParamNEnd
+ *
+ *   \cgalParamNBegin{vertex_is_constrained_map}
+ *     \cgalParamDescription{a property map containing the constrained-or-not status of each vertex of `tmesh`. A
+ *                           constrained vertex does not move.}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with
+ *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `bool` as value type}
+ *     \cgalParamDefault{a default property map where no vertex is constrained}
+ *   \cgalParamNEnd
+ *
+ *   \cgalParamNBegin{allow_move_functor}
+ *     \cgalParamDescription{a function object that decides whether a vertex may be moved. It is asked for each move of
+ *                           an iteration, by one thread.}
+ *     \cgalParamType{a functor that provides `bool operator()(vertex_descriptor v, Point_3 src, Point_3 tgt)`, returning
+ *                    `true` if the vertex `v` may be moved from `src` to `tgt`; `%Point_3` being the value type of the
+ *                    vertex point map}
+ *     \cgalParamDefault{If not provided, all moves are allowed.}
+ *   \cgalParamNEnd
+ *
+ *   \cgalParamNBegin{visitor}
+ *     \cgalParamDescription{a visitor that is told about the progress and can end the run}
+ *     \cgalParamType{a class model of `VertexLocationOptimizationVisitor`; `std::ref()` of one, so that it is not copied}
+ *     \cgalParamDefault{`Vertex_location_optimization_default_visitor`}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * \param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters": those of the constructor of
+ *            `PN_triangle_surface` if `reference` is a triangle mesh; not used if it is a reference surface
+ *
+ * \pre `CGAL::is_triangle_mesh(tmesh)` and, if `reference` is a mesh, `CGAL::is_triangle_mesh(reference)`
+ * \pre all coordinates are finite
+ * \pre the reference has a face, unless `tmesh` has none
+ *
+ * \return what was done. If a precondition is violated and not checked, `tmesh` is untouched and the report says that
+ *         there was no iteration.
+ *
+ * \sa `CGAL::Polygon_mesh_processing::isotropic_remeshing()`
+ * \sa `CGAL::Polygon_mesh_processing::approximation_error()`
+ */
+template <typename ConcurrencyTag = Sequential_tag,
+          typename TriangleMesh,
+          typename Reference,
+          typename NamedParameters1 = parameters::Default_named_parameters,
+          typename NamedParameters2 = parameters::Default_named_parameters>
+Vertex_location_optimization_report
+optimize_vertex_locations(TriangleMesh& tmesh,
+                          const Reference& reference,
+                          const NamedParameters1& np1 = parameters::default_values(),
+                          const NamedParameters2& np2 = parameters::default_values())
+{
+  using namespace internal::vertex_location;
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using parameters::get_parameter_reference;
+
+  auto vpm = read_vertex_point_map(tmesh, np1);
+  using Point_3 = typename boost::property_traits<decltype(vpm)>::value_type;
+
+  const bool is_valid = is_valid_input(tmesh, vpm);
+  CGAL_precondition(is_valid);
+  if(!is_valid)
+    return {};
+
+  Options options;
+  options.number_of_iterations =
+    choose_parameter(get_parameter(np1, internal_np::number_of_iterations), options.number_of_iterations);
+  options.number_of_free_iterations =
+    choose_parameter(get_parameter(np1, internal_np::number_of_free_iterations), options.number_of_free_iterations);
+  options.number_of_relaxation_steps =
+    choose_parameter(get_parameter(np1, internal_np::number_of_relaxation_steps), options.number_of_relaxation_steps);
+  options.convergence_threshold =
+    to_double(choose_parameter(get_parameter(np1, internal_np::convergence_threshold), options.convergence_threshold));
+
+  Mesh_descriptors<TriangleMesh> descriptors;
+  Mesh_arrays mesh = make_mesh_arrays(tmesh, vpm, descriptors);
+  std::vector<char> is_fixed = find_fixed_vertices(mesh, descriptors, np1);
+
+  const auto is_allowed = choose_parameter(get_parameter(np1, internal_np::allow_move_functor), Allow_all_moves());
+  const auto allow_move = [&](std::size_t i, const Point& source, const Point& target)
+  {
+    return is_allowed(descriptors.vertices[i], convert<Point_3>(source), convert<Point_3>(target));
+  };
+
+  Vertex_location_optimization_default_visitor default_visitor;
+  auto&& visitor = choose_parameter(get_parameter_reference(np1, internal_np::visitor), default_visitor);
+
+  return with_reference_surface<ConcurrencyTag>(reference, np2, [&](const auto& surface)
+  {
+    const bool has_reference = !is_empty_surface(surface) || mesh.points.empty();
+    CGAL_precondition(has_reference);
+    if(!has_reference)
+      return Vertex_location_optimization_report();
+
+    using Surface = std::decay_t<decltype(surface)>;
+    Optimization_state<typename Surface::Foot> state(std::move(mesh), std::move(is_fixed));
+    const auto report = optimize<ConcurrencyTag>(state, surface, options, allow_move, visitor);
+
+    for(std::size_t i = 0; i < state.mesh.points.size(); ++i)
+      if(state.mesh.points[i] != state.initial_points[i])
+        put(vpm, descriptors.vertices[i], convert<Point_3>(state.mesh.points[i]));
+    return report;
+  });
+}
+
+} // namespace Polygon_mesh_processing
+} // namespace CGAL
+
+#endif // CGAL_POLYGON_MESH_PROCESSING_OPTIMIZE_VERTEX_LOCATIONS_H

@@ -40,6 +40,12 @@ public:
 
   double operator()(const Point& p) const { return std::sqrt(m_tree.squared_distance(p)); }
 
+  double operator()(const Point& p, Point& hint) const
+  {
+    hint = m_tree.closest_point(p, hint);
+    return std::sqrt(CGAL::squared_distance(p, hint));
+  }
+
   // the closest point and its face
   std::pair<Point, Mesh::Face_index> closest(const Point& p) const { return m_tree.closest_point_and_primitive(p); }
 

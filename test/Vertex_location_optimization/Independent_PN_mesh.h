@@ -6,6 +6,7 @@
 #ifndef VERTEX_LOCATION_OPTIMIZATION_TEST_INDEPENDENT_PN_MESH_H
 #define VERTEX_LOCATION_OPTIMIZATION_TEST_INDEPENDENT_PN_MESH_H
 
+#include "mesh_quality.h"
 #include "test_meshes.h"
 
 #include <CGAL/boost/graph/iterator.h>
@@ -16,46 +17,57 @@
 #include <map>
 #include <vector>
 
-inline double norm(const Vector& v) { return std::sqrt(v.squared_length()); }
-inline Vector unit(const Vector& v) { return v / norm(v); }
-
-inline std::array<Point, 3> corners(const Mesh& mesh, Mesh::Face_index f)
-{
-  const Mesh::Halfedge_index h = mesh.halfedge(f);
-  return { mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h))) };
-}
-
-inline Vector area_vector(const std::array<Point, 3>& t) { return CGAL::cross_product(t[1] - t[0], t[2] - t[0]) / 2; }
-
-// Curved PN triangles over a closed smooth mesh, written down from Vlachos et al. without a look at the package: it is
-// what the package is compared with.
+// Curved PN triangles over a mesh, written down from Vlachos et al. without a look at the package: it is what the package
+// is compared with. Normals stop at borders and at edges where the surface turns by more than `sharpness_angle` degrees;
+// the two sides of such an edge have different curves.
 class Independent_PN_mesh
 {
 public:
-  explicit Independent_PN_mesh(const Mesh& mesh) : m_mesh(mesh)
+  explicit Independent_PN_mesh(const Mesh& mesh, double sharpness_angle = 180)
+    : m_mesh(mesh), m_normals(mesh.number_of_halfedges())
   {
-    m_normals.assign(mesh.number_of_vertices(), Vector(0, 0, 0));
+    std::vector<Vector> face_normals;
     for(Mesh::Face_index f : mesh.faces())
+      face_normals.push_back(unit(area_vector(corners(mesh, f))));
+
+    auto is_smooth = [&](Mesh::Halfedge_index h)
     {
-      const Vector normal = unit(area_vector(corners(mesh, f)));
-      for(Mesh::Halfedge_index h : halfedges_around_face(mesh.halfedge(f), mesh))
-      {
-        const Vector a = unit(mesh.point(mesh.source(h)) - mesh.point(mesh.target(h)));
-        const Vector b = unit(mesh.point(mesh.target(mesh.next(h))) - mesh.point(mesh.target(h)));
-        m_normals[mesh.target(h)] += std::acos((std::max)(-1., (std::min)(1., a * b))) * normal;
-      }
+      return !mesh.is_border(mesh.edge(h)) &&
+             face_normals[mesh.face(h)] * face_normals[mesh.face(mesh.opposite(h))] >=
+               std::cos(sharpness_angle * CGAL_PI / 180);
+    };
+    auto weighted_normal = [&](Mesh::Halfedge_index h) -> Vector
+    {
+      const Vector a = mesh.point(mesh.source(h)) - mesh.point(mesh.target(h));
+      const Vector b = mesh.point(mesh.target(mesh.next(h))) - mesh.point(mesh.target(h));
+      return std::atan2(norm(CGAL::cross_product(a, b)), a * b) * face_normals[mesh.face(h)];
+    };
+    for(Mesh::Halfedge_index h : mesh.halfedges())
+    {
+      if(mesh.is_border(h))
+        continue;
+      Vector sum = weighted_normal(h);
+      Mesh::Halfedge_index g = h;
+      while(is_smooth(mesh.next(g)) && (g = mesh.opposite(mesh.next(g))) != h)
+        sum += weighted_normal(g);
+      if(g != h || !is_smooth(mesh.next(g))) // no full turn: the other way as well
+        for(g = h; is_smooth(g); )
+        {
+          g = mesh.prev(mesh.opposite(g));
+          sum += weighted_normal(g);
+        }
+      m_normals[h] = unit(sum);
     }
-    for(Vector& n : m_normals)
-      n = unit(n);
   }
 
-  const Vector& normal(Mesh::Vertex_index v) const { return m_normals[v]; }
+  // the normal at the corner that h points to
+  const Vector& normal(Mesh::Halfedge_index h) const { return m_normals[h]; }
 
   // the middle of the boundary curve along h, and the interpolated normal there
   Point curve_midpoint(Mesh::Halfedge_index h) const
   {
     const Point &p = m_mesh.point(m_mesh.source(h)), &q = m_mesh.point(m_mesh.target(h));
-    const Vector m = normal(m_mesh.source(h)), n = normal(m_mesh.target(h));
+    const Vector m = normal(m_mesh.prev(h)), n = normal(h);
     const Vector d = q - p;
     const Vector b1 = d / 3 - (d * m) / 3 * m, b2 = -d / 3 + (d * n) / 3 * n;
     return CGAL::midpoint(p, q) + 3. / 8 * (b1 + b2);
@@ -63,7 +75,7 @@ public:
   Vector curve_midpoint_normal(Mesh::Halfedge_index h) const
   {
     const Vector d = m_mesh.point(m_mesh.target(h)) - m_mesh.point(m_mesh.source(h));
-    const Vector sum = normal(m_mesh.source(h)) + normal(m_mesh.target(h));
+    const Vector sum = normal(m_mesh.prev(h)) + normal(h);
     return unit(sum + unit(sum - 2 * (d * sum) / (d * d) * d));
   }
 
@@ -110,10 +122,10 @@ private:
   {
     std::array<Vector, 3> p, n;
     std::size_t k = 0;
-    for(Mesh::Vertex_index v : vertices_around_face(m_mesh.halfedge(f), m_mesh))
+    for(Mesh::Halfedge_index h : halfedges_around_face(m_mesh.halfedge(f), m_mesh))
     {
-      p[k] = m_mesh.point(v) - CGAL::ORIGIN;
-      n[k++] = m_normals[v];
+      p[k] = m_mesh.point(m_mesh.target(h)) - CGAL::ORIGIN;
+      n[k++] = m_normals[h];
     }
     auto edge_point = [&](int i, int j) { return (2 * p[i] + p[j] - ((p[j] - p[i]) * n[i]) * n[i]) / 3; };
     Control_points b;
@@ -144,7 +156,7 @@ private:
   }
 
   const Mesh& m_mesh;
-  std::vector<Vector> m_normals;
+  std::vector<Vector> m_normals; // by halfedge: at the corner that it points to
 };
 
 #endif // VERTEX_LOCATION_OPTIMIZATION_TEST_INDEPENDENT_PN_MESH_H

@@ -8,6 +8,7 @@
 #include "check.h"
 #include "Distance_to_mesh.h"
 #include "Independent_PN_mesh.h"
+#include "mesh_quality.h"
 #include "test_meshes.h"
 
 #include <CGAL/Polygon_mesh_processing/Flat_triangle_surface.h>
@@ -82,7 +83,7 @@ void test_against_brute_force(const Mesh& mesh, int level, double near_by, doubl
   {
     const auto foot = surface.project(mesh.point(v));
     CHECK_AT_MOST(norm(surface.point(foot) - mesh.point(v)), 1e-9 * size);
-    CHECK_AT_MOST(norm(surface.normal(foot) - independent.normal(v)), 1e-6);
+    CHECK_AT_MOST(norm(surface.normal(foot) - independent.normal(mesh.halfedge(v))), 1e-6);
   }
   for(Mesh::Edge_index e : mesh.edges())
   {

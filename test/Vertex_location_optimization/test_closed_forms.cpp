@@ -6,6 +6,7 @@
 // Surfaces where the result is known: spheres, cylinders and planes.
 
 #include "check.h"
+#include "check_equivariance.h"
 #include "mesh_quality.h"
 #include "test_meshes.h"
 
@@ -151,10 +152,18 @@ void test_planes()
   }
 }
 
+void test_equivariance()
+{
+  start_topic("The optimized sphere scales and moves with the input");
+  const auto turned = [](const Point& p) { return Point(0.8 * p.x() - 0.6 * p.y(), 0.6 * p.x() + 0.8 * p.y(), p.z()); };
+  check_equivariance(make_mesh(transformed(icosphere(3), turned)), make_mesh(icosphere(4)));
+}
+
 int main()
 {
   test_sphere();
   test_cylinder();
   test_planes();
+  test_equivariance();
   return test_result();
 }

@@ -199,22 +199,20 @@ private:
       Coordinates step = newton_step(s, query, x);
       const bool last = std::abs(step.u) + std::abs(step.v) < precision;
 
-      // shorten the step until the distance decreases
+      // shorten the step until the distance decreases; the last one is too short for the distance to show it
       bool decreased = false;
       for(int halving = 0; halving < 8 && !decreased; ++halving, step = { step.u / 2, step.v / 2 })
       {
         const Coordinates next{ x.u + step.u, x.v + step.v };
         const Derivatives at_next = evaluate(next);
         const double next_distance = squared_distance(query, at_next.point);
-        if(next_distance < distance)
+        if(next_distance < distance || last)
         {
           decreased = true;
           x = next;
           s = at_next;
           distance = next_distance;
         }
-        else if(last)
-          break;
       }
       if(last || !decreased)
         break;

@@ -128,7 +128,7 @@ Mesh_arrays make_mesh_arrays(const TriangleMesh& tmesh,
   };
 
   std::vector<std::pair<Index, typename boost::graph_traits<TriangleMesh>::edge_descriptor>> edge_order;
-  for(auto e : CGAL::edges(tmesh))
+  for(auto e : edges(tmesh))
     edge_order.emplace_back((std::min)(get(vertex_index, source(e, tmesh)), get(vertex_index, target(e, tmesh))), e);
   sort_by_first_vertex(edge_order);
 
@@ -143,7 +143,7 @@ Mesh_arrays make_mesh_arrays(const TriangleMesh& tmesh,
   }
 
   std::vector<std::pair<Index, typename boost::graph_traits<TriangleMesh>::face_descriptor>> face_order;
-  for(auto f : CGAL::faces(tmesh))
+  for(auto f : faces(tmesh))
   {
     Index first = no_index;
     for(auto v : vertices_around_face(halfedge(f, tmesh), tmesh))

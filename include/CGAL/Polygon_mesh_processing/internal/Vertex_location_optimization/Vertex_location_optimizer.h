@@ -10,6 +10,7 @@
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/fit_piecewise_linear.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/relax_springs.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/sample_reference.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/take_back_harm.h>
 #include <CGAL/Polygon_mesh_processing/Vertex_location_optimization_report.h>
 
 #include <algorithm>
@@ -49,13 +50,17 @@ public:
                             const AllowMove& allow_move,
                             Visitor& visitor)
     : m_state(state), m_reference(reference), m_options(options), m_allow_move(allow_move), m_visitor(visitor),
-      m_is_corrected(state.mesh.points.size(), 0)
+      m_is_shortened(state.mesh.points.size(), 0)
   {}
 
   Vertex_location_optimization_report run()
   {
     while(m_report.iterations < m_options.number_of_iterations && !m_report.converged && iterate())
       m_visitor.end_iteration(m_report);
+    if(m_report.iterations > 0)
+      take_back_harm<ConcurrencyTag>(m_reference, m_state, [&]() { return refuse_moves(m_state.initial_points); },
+                                     m_is_shortened);
+    m_report.corrected_vertices = std::count(m_is_shortened.begin(), m_is_shortened.end(), 1);
     return m_report;
   }
 
@@ -85,8 +90,8 @@ private:
       return false;
     keep_non_finite_targets_away();
     do
-      correct_flips<ConcurrencyTag>(m_state, m_is_corrected);
-    while(refuse_moves());
+      correct_flips<ConcurrencyTag>(m_state, m_is_shortened);
+    while(refuse_moves(m_state.mesh.points));
 
     move_vertices();
     return true;
@@ -110,13 +115,13 @@ private:
     });
   }
 
-  // Takes back the moves that the user does not allow; returns whether there were any.
-  bool refuse_moves()
+  // Takes back the moves from `sources` to the targets that the user does not allow; returns whether there were any.
+  bool refuse_moves(const std::vector<Point>& sources)
   {
     bool refused = false;
     for(std::size_t i = 0; i < m_state.targets.size(); ++i)
     {
-      const Point& source = m_state.mesh.points[i];
+      const Point& source = sources[i];
       Point& target = m_state.targets[i];
       if(target != source && !m_allow_move(i, source, target))
       {
@@ -138,7 +143,6 @@ private:
     ++m_report.iterations;
     m_report.displacement = std::sqrt(squared_displacement);
     m_report.converged = m_report.displacement <= m_options.convergence_threshold * m_state.mean_edge_length;
-    m_report.corrected_vertices = std::count(m_is_corrected.begin(), m_is_corrected.end(), 1);
   }
 
   State& m_state;
@@ -146,7 +150,7 @@ private:
   const Options m_options;
   const AllowMove& m_allow_move;
   Visitor& m_visitor;
-  std::vector<char> m_is_corrected;
+  std::vector<char> m_is_shortened;
   Vertex_location_optimization_report m_report;
 };
 

@@ -6,10 +6,9 @@
 #ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_CORRECT_FLIPS_H
 #define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_CORRECT_FLIPS_H
 
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Optimization_state.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/shorten_moves.h>
 
-#include <set>
-#include <utility>
+#include <cmath>
 #include <vector>
 
 namespace CGAL {
@@ -17,72 +16,40 @@ namespace Polygon_mesh_processing {
 namespace internal {
 namespace vertex_location {
 
-// Section 3.3: as long as a face is flipped, halves the update of the vertex with the largest C_i - n_i, where C_i is
-// the number of flipped faces at the vertex and n_i how often it was corrected; the smallest index first where these are
-// equal. A face is flipped if its normal has turned by more than 60 degrees from that in the remesh, or if its area has
-// vanished. Marks the vertices that it corrects.
-template <typename ConcurrencyTag, typename Foot>
-void correct_flips(Optimization_state<Foot>& state, std::vector<char>& is_corrected)
+// A face is flipped if the targets of its vertices turn its normal by more than 60 degrees from that in the remesh, or
+// take its area away. A face that has no area in the remesh is never flipped.
+template <typename Foot>
+class Flip_criterion
 {
-  constexpr double cosine = 0.5;
-  constexpr int max_halvings = 6; // then the vertex stays where it was
+public:
+  explicit Flip_criterion(const Optimization_state<Foot>& state) : m_state(state) {}
 
-  const Mesh_arrays& mesh = state.mesh;
-  auto normal = [&](const std::vector<Point>& points, std::size_t f)
+  bool is_bad(std::size_t f) const
   {
-    const std::array<Index, 3>& v = mesh.faces[f];
-    return area_normal(points[v[0]], points[v[1]], points[v[2]]);
-  };
-  auto compute_is_flipped = [&](std::size_t f)
-  {
-    const Vector before = normal(state.initial_points, f), after = normal(state.targets, f);
+    constexpr double cosine = 0.5;
+    const Vector before = normal(m_state.initial_points, f), after = normal(m_state.targets, f);
     const double before2 = before.squared_length();
     return before2 > 0 && before * after <= cosine * std::sqrt(before2 * after.squared_length());
-  };
-
-  std::vector<char> is_flipped(mesh.faces.size());
-  for_each_index<ConcurrencyTag>(mesh.faces.size(), [&](std::size_t f) { is_flipped[f] = compute_is_flipped(f); });
-
-  // the queue, ordered by n_i - C_i and the index
-  std::vector<int> number_of_corrections(mesh.points.size(), 0);
-  std::set<std::pair<int, Index>> queue;
-  auto key = [&](Index i)
-  {
-    int number_of_flips = 0;
-    state.for_each_corner(i, [&](Index c) { number_of_flips += is_flipped[c / 3]; });
-    return std::make_pair(number_of_flips, std::make_pair(number_of_corrections[i] - number_of_flips, i));
-  };
-  auto can_be_corrected = [&](Index i) { return state.targets[i] != mesh.points[i]; };
-  auto enqueue = [&](Index i)
-  {
-    const auto k = key(i);
-    if(k.first > 0 && can_be_corrected(i))
-      queue.insert(k.second);
-  };
-
-  for(std::size_t f = 0; f < mesh.faces.size(); ++f)
-    if(is_flipped[f])
-      for(Index i : mesh.faces[f])
-        enqueue(i);
-
-  while(!queue.empty())
-  {
-    const Index i = queue.begin()->second;
-
-    // the keys of the vertices around i change with its faces
-    std::set<Index> neighborhood;
-    state.for_each_corner(i, [&](Index c) { neighborhood.insert(mesh.faces[c / 3].begin(), mesh.faces[c / 3].end()); });
-    for(Index j : neighborhood)
-      queue.erase(key(j).second);
-
-    is_corrected[i] = 1;
-    state.targets[i] = ++number_of_corrections[i] > max_halvings ? mesh.points[i]
-                                                                 : midpoint(mesh.points[i], state.targets[i]);
-    state.for_each_corner(i, [&](Index c) { is_flipped[c / 3] = compute_is_flipped(c / 3); });
-
-    for(Index j : neighborhood)
-      enqueue(j);
   }
+
+  void update(std::size_t) {}
+
+private:
+  Vector normal(const std::vector<Point>& points, std::size_t f) const
+  {
+    const std::array<Index, 3>& v = m_state.mesh.faces[f];
+    return area_normal(points[v[0]], points[v[1]], points[v[2]]);
+  }
+
+  const Optimization_state<Foot>& m_state;
+};
+
+// Shortens moves of this iteration until no face is flipped.
+template <typename ConcurrencyTag, typename Foot>
+void correct_flips(Optimization_state<Foot>& state, std::vector<char>& is_shortened)
+{
+  Flip_criterion<Foot> criterion(state);
+  shorten_moves<ConcurrencyTag>(state, state.mesh.points, criterion, is_shortened);
 }
 
 } // namespace vertex_location

@@ -1,0 +1,84 @@
+// Copyright (c) 2026 The Vertex_location_optimization authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_SHORTEN_MOVES_H
+#define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_SHORTEN_MOVES_H
+
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Optimization_state.h>
+
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Polygon_mesh_processing {
+namespace internal {
+namespace vertex_location {
+
+// The correction of section 3.3, for any criterion: as long as a face is bad, halves the move, from `origins` to the
+// targets, of the vertex with the largest C_i - n_i, where C_i is the number of bad faces at the vertex and n_i how often
+// it was corrected; the smallest index first where these are equal. Marks the vertices whose moves it shortens.
+//
+// `criterion.is_bad(f)` says whether face f is bad, `criterion.update(i)` tells that the target of vertex i has changed.
+// No face should be bad whose vertices are all at their origins: it could not be corrected.
+template <typename ConcurrencyTag, typename Foot, typename Criterion>
+void shorten_moves(Optimization_state<Foot>& state,
+                   const std::vector<Point>& origins,
+                   Criterion& criterion,
+                   std::vector<char>& is_shortened)
+{
+  constexpr int max_halvings = 6; // then the vertex stays at its origin
+
+  const Mesh_arrays& mesh = state.mesh;
+  std::vector<char> is_bad(mesh.faces.size());
+  for_each_index<ConcurrencyTag>(mesh.faces.size(), [&](std::size_t f) { is_bad[f] = criterion.is_bad(f); });
+
+  std::vector<int> number_of_corrections(mesh.points.size(), 0);
+  std::set<std::pair<int, Index>> queue; // of pairs (n_i - C_i, i)
+  auto number_of_bad_faces = [&](Index i)
+  {
+    int number = 0;
+    state.for_each_corner(i, [&](Index c) { number += is_bad[c / 3]; });
+    return number;
+  };
+  auto enqueue = [&](Index i)
+  {
+    const int c = number_of_bad_faces(i);
+    if(c > 0 && state.targets[i] != origins[i])
+      queue.emplace(number_of_corrections[i] - c, i);
+  };
+  auto dequeue = [&](Index i) { queue.erase({ number_of_corrections[i] - number_of_bad_faces(i), i }); };
+
+  for(std::size_t f = 0; f < mesh.faces.size(); ++f)
+    if(is_bad[f])
+      for(Index i : mesh.faces[f])
+        enqueue(i);
+
+  while(!queue.empty())
+  {
+    const Index i = queue.begin()->second;
+
+    // the keys of the vertices around change with the faces
+    std::set<Index> neighborhood;
+    state.for_each_corner(i, [&](Index c) { neighborhood.insert(mesh.faces[c / 3].begin(), mesh.faces[c / 3].end()); });
+    for(Index j : neighborhood)
+      dequeue(j);
+
+    is_shortened[i] = 1;
+    state.targets[i] = ++number_of_corrections[i] > max_halvings ? origins[i] : midpoint(origins[i], state.targets[i]);
+    criterion.update(i);
+    state.for_each_corner(i, [&](Index c) { is_bad[c / 3] = criterion.is_bad(c / 3); });
+
+    for(Index j : neighborhood)
+      enqueue(j);
+  }
+}
+
+} // namespace vertex_location
+} // namespace internal
+} // namespace Polygon_mesh_processing
+} // namespace CGAL
+
+#endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_SHORTEN_MOVES_H

@@ -1,0 +1,251 @@
+// Copyright (c) 2026 The Vertex_location_optimization authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_TAKE_BACK_HARM_H
+#define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_TAKE_BACK_HARM_H
+
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/correct_flips.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Flat_triangle.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Polygon_mesh_processing {
+namespace internal {
+namespace vertex_location {
+
+// The distance to the reference of the targets' surface, sampled at the vertices, the midpoints of the edges and the
+// barycenters of the faces. With the weights 1/20, 2/15 and 9/20 these points integrate cubics exactly.
+template <typename ReferenceSurface>
+class Sampled_error
+{
+  using Foot = typename ReferenceSurface::Foot;
+  using State = Optimization_state<Foot>;
+
+public:
+  Sampled_error(const ReferenceSurface& reference, const State& state) : m_reference(reference), m_state(state) {}
+
+  template <typename ConcurrencyTag>
+  void sample()
+  {
+    const Mesh_arrays& mesh = m_state.mesh;
+    m_at_vertex.resize(mesh.points.size());
+    m_at_midpoint.resize(mesh.edges.size());
+    m_at_barycenter.resize(mesh.faces.size());
+    m_opposes.resize(mesh.faces.size());
+    for_each_index<ConcurrencyTag>(mesh.points.size(), [&](std::size_t i) { sample_vertex(i); });
+    for_each_index<ConcurrencyTag>(mesh.edges.size(), [&](std::size_t e) { sample_midpoint(e); });
+    for_each_index<ConcurrencyTag>(mesh.faces.size(), [&](std::size_t f) { sample_barycenter(f); });
+  }
+
+  // samples anew what has changed with the target of vertex i
+  void update(std::size_t i)
+  {
+    sample_vertex(i);
+    m_state.for_each_corner(i, [&](Index c)
+    {
+      sample_midpoint(m_state.mesh.opposite_edge(Mesh_arrays::next(c)));
+      sample_midpoint(m_state.mesh.opposite_edge(Mesh_arrays::previous(c)));
+      sample_barycenter(c / 3);
+    });
+  }
+
+  double area(std::size_t f) const
+  {
+    const std::array<Point, 3> t = triangle(f);
+    return norm(area_normal(t[0], t[1], t[2])) / 2;
+  }
+
+  // integral of the distance over face f
+  double integral(std::size_t f) const
+  {
+    double at_vertices = 0, at_midpoints = 0;
+    for(int k = 0; k < 3; ++k)
+    {
+      at_vertices += m_at_vertex[m_state.mesh.faces[f][k]];
+      at_midpoints += m_at_midpoint[m_state.mesh.face_edges[f][k]];
+    }
+    return area(f) * (at_vertices / 20 + at_midpoints * 2 / 15 + m_at_barycenter[f] * 9 / 20);
+  }
+
+  template <typename ConcurrencyTag>
+  double mean() const
+  {
+    const std::size_t n = m_state.mesh.faces.size();
+    const double total_area = sum_over_indices<ConcurrencyTag, double>(n, [&](std::size_t f) { return area(f); });
+    const double total = sum_over_indices<ConcurrencyTag, double>(n, [&](std::size_t f) { return integral(f); });
+    return total_area > 0 ? total / total_area : 0;
+  }
+
+  template <typename ConcurrencyTag>
+  double maximum() const
+  {
+    double sampled = 0;
+    for(const std::vector<double>* distances : { &m_at_vertex, &m_at_midpoint, &m_at_barycenter })
+      for(double d : *distances)
+        sampled = (std::max)(sampled, d);
+
+    std::vector<double> maxima(m_state.mesh.faces.size());
+    for_each_index<ConcurrencyTag>(maxima.size(), [&](std::size_t f) { maxima[f] = maximum(f, sampled); });
+    return maxima.empty() ? 0 : *std::max_element(maxima.begin(), maxima.end());
+  }
+
+  // Whether the normal of face f opposes that of the reference at the foot of the barycenter.
+  bool opposes_reference(std::size_t f) const { return m_opposes[f] != 0; }
+
+  // The largest distance on face f. If the samples come near `threshold`, it is looked for on a finer lattice.
+  double maximum(std::size_t f, double threshold) const
+  {
+    constexpr double near = 0.6;
+    constexpr int level = 8;
+
+    double result = m_at_barycenter[f];
+    for(int k = 0; k < 3; ++k)
+      result = (std::max)({ result, m_at_vertex[m_state.mesh.faces[f][k]], m_at_midpoint[m_state.mesh.face_edges[f][k]] });
+    if(result < near * threshold)
+      return result;
+
+    const std::array<Point, 3> t = triangle(f);
+    const Foot& hint = m_state.vertex_feet[m_state.mesh.faces[f][0]];
+    for(int i = 0; i <= level; ++i)
+      for(int j = 0; j <= level - i; ++j)
+        result = (std::max)(result, distance(point_at(t, { double(i) / level, double(j) / level }), hint));
+    return result;
+  }
+
+private:
+  std::array<Point, 3> triangle(std::size_t f) const
+  {
+    const std::array<Index, 3>& v = m_state.mesh.faces[f];
+    return { m_state.targets[v[0]], m_state.targets[v[1]], m_state.targets[v[2]] };
+  }
+
+  double distance(const Point& p, const Foot& hint) const
+  {
+    const Foot foot = m_reference.project(convert<typename ReferenceSurface::Point_3>(p), hint);
+    return norm(convert<Point>(m_reference.point(foot)) - p);
+  }
+
+  void sample_vertex(std::size_t i) { m_at_vertex[i] = distance(m_state.targets[i], m_state.vertex_feet[i]); }
+
+  void sample_midpoint(std::size_t e)
+  {
+    const std::array<Index, 2>& v = m_state.mesh.edges[e];
+    m_at_midpoint[e] = distance(midpoint(m_state.targets[v[0]], m_state.targets[v[1]]), m_state.midpoint_feet[e]);
+  }
+
+  void sample_barycenter(std::size_t f)
+  {
+    const std::array<Point, 3> t = triangle(f);
+    const Point p = point_at(t, Coordinates());
+    const Foot foot = m_reference.project(convert<typename ReferenceSurface::Point_3>(p),
+                                          m_state.midpoint_feet[m_state.mesh.face_edges[f][0]]);
+    m_at_barycenter[f] = norm(convert<Point>(m_reference.point(foot)) - p);
+    m_opposes[f] = area_normal(t[0], t[1], t[2]) * convert<Vector>(m_reference.normal(foot)) < 0;
+  }
+
+  const ReferenceSurface& m_reference;
+  const State& m_state;
+  std::vector<double> m_at_vertex, m_at_midpoint, m_at_barycenter;
+  std::vector<char> m_opposes;
+};
+
+// What a face of the remesh is compared with.
+struct Face_quality
+{
+  double integral_of_error;
+  bool opposes_reference;
+};
+
+// A face is bad if it is flipped, if it is the first to oppose the reference, or if its largest error exceeds that of the
+// remesh; if `is_strict`, also if it has more error than in the remesh.
+template <typename ReferenceSurface>
+class Harm_criterion
+{
+  using State = Optimization_state<typename ReferenceSurface::Foot>;
+
+public:
+  // measures the remesh, which are the targets at the time of the call
+  template <typename ConcurrencyTag>
+  static Harm_criterion of_remesh(Sampled_error<ReferenceSurface>& error, const State& state, ConcurrencyTag)
+  {
+    Harm_criterion result(error, state);
+    error.template sample<ConcurrencyTag>();
+    result.m_of_remesh.resize(state.mesh.faces.size());
+    for_each_index<ConcurrencyTag>(state.mesh.faces.size(), [&](std::size_t f)
+    {
+      result.m_of_remesh[f] = { error.integral(f), error.opposes_reference(f) };
+    });
+    result.m_mean_error = error.template mean<ConcurrencyTag>();
+    result.m_max_error = error.template maximum<ConcurrencyTag>();
+    return result;
+  }
+
+  bool is_bad(std::size_t f) const
+  {
+    return m_flips.is_bad(f) ||
+           (m_error.opposes_reference(f) && !m_of_remesh[f].opposes_reference) ||
+           (m_is_strict && m_error.integral(f) > m_of_remesh[f].integral_of_error) ||
+           m_error.maximum(f, m_max_error) > m_max_error;
+  }
+
+  void update(std::size_t i) { m_error.update(i); }
+
+  double mean_error() const { return m_mean_error; } // of the remesh
+  void make_strict() { m_is_strict = true; }
+
+private:
+  Harm_criterion(Sampled_error<ReferenceSurface>& error, const State& state) : m_flips(state), m_error(error) {}
+
+  Flip_criterion<typename ReferenceSurface::Foot> m_flips;
+  Sampled_error<ReferenceSurface>& m_error;
+  std::vector<Face_quality> m_of_remesh;
+  double m_mean_error = 0;
+  double m_max_error = 0;
+  bool m_is_strict = false;
+};
+
+// The last word of a run: shortens the moves from the remesh to the result where they do harm, so that neither the
+// largest nor the mean error is above that of the remesh, as far as `Sampled_error` sees, and no face is flipped.
+// `refuse_moves` takes back the moves that the user does not allow, and returns whether there were any.
+template <typename ConcurrencyTag, typename ReferenceSurface, typename RefuseMoves>
+void take_back_harm(const ReferenceSurface& reference,
+                    Optimization_state<typename ReferenceSurface::Foot>& state,
+                    const RefuseMoves& refuse_moves,
+                    std::vector<char>& is_shortened)
+{
+  Sampled_error<ReferenceSurface> error(reference, state);
+  state.targets = state.initial_points;
+  auto criterion = Harm_criterion<ReferenceSurface>::of_remesh(error, state, ConcurrencyTag());
+
+  state.targets = state.mesh.points;
+  auto shorten = [&]()
+  {
+    do
+    {
+      error.template sample<ConcurrencyTag>();
+      shorten_moves<ConcurrencyTag>(state, state.initial_points, criterion, is_shortened);
+    }
+    while(refuse_moves());
+    return error.template mean<ConcurrencyTag>() <= criterion.mean_error();
+  };
+
+  if(!shorten())
+  {
+    criterion.make_strict();
+    if(!shorten())
+      state.targets = state.initial_points;
+  }
+  state.mesh.points = state.targets;
+}
+
+} // namespace vertex_location
+} // namespace internal
+} // namespace Polygon_mesh_processing
+} // namespace CGAL
+
+#endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_TAKE_BACK_HARM_H

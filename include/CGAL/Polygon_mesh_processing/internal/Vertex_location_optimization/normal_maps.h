@@ -52,6 +52,29 @@ std::vector<Vector> read_corner_normals(const TriangleMesh& tmesh,
   return normals;
 }
 
+template <typename TriangleMesh, typename NormalMap>
+void write_vertex_normals(const Mesh_descriptors<TriangleMesh>& descriptors,
+                          const std::vector<Vector>& normals,
+                          NormalMap& normal_map)
+{
+  using Normal = typename boost::property_traits<NormalMap>::value_type;
+  for(std::size_t i = 0; i < normals.size(); ++i)
+    put(normal_map, descriptors.vertices[i], convert<Normal>(normals[i]));
+}
+
+template <typename TriangleMesh, typename NormalMap>
+void write_corner_normals(const TriangleMesh& tmesh,
+                          const Mesh_descriptors<TriangleMesh>& descriptors,
+                          const std::vector<Vector>& normals,
+                          NormalMap& normal_map)
+{
+  using Normal = typename boost::property_traits<NormalMap>::value_type;
+  for_each_corner_halfedge(tmesh, descriptors, [&](std::size_t c, auto h)
+  {
+    put(normal_map, h, convert<Normal>(normals[c]));
+  });
+}
+
 } // namespace vertex_location
 } // namespace internal
 } // namespace Polygon_mesh_processing

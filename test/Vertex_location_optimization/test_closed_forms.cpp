@@ -6,6 +6,8 @@
 // Surfaces where the result is known: spheres, cylinders and planes.
 
 #include "check.h"
+#include "check_equivariance.h"
+#include "Exact_sphere.h"
 #include "mesh_quality.h"
 #include "test_meshes.h"
 
@@ -13,29 +15,7 @@
 
 namespace PMP = CGAL::Polygon_mesh_processing;
 
-// Models of `ReferenceSurface` as a user may write them, with no more than the concept has.
-class Exact_sphere
-{
-public:
-  using Point_3 = Point;
-  using Vector_3 = Vector;
-  struct Foot { Vector direction; };
-
-  Exact_sphere(const Point& center, double radius) : m_center(center), m_radius(radius) {}
-
-  Foot project(const Point& p) const { return { unit(p - m_center) }; }
-  Foot project(const Point& p, const Foot&) const { return project(p); }
-  Point point(const Foot& foot) const { return m_center + m_radius * foot.direction; }
-  Vector normal(const Foot& foot) const { return foot.direction; }
-
-  double distance(const Point& p) const { return std::abs(norm(p - m_center) - m_radius); }
-
-private:
-  Point m_center;
-  double m_radius;
-};
-
-// the cylinder of radius 1 around the z-axis
+// another model of `ReferenceSurface`: the cylinder of radius 1 around the z-axis
 class Exact_cylinder
 {
 public:
@@ -82,7 +62,7 @@ void test_sphere()
   {
     Mesh mesh = make_mesh(transformed(icosphere(level), [&](const Point& p) { return center + r * (p - CGAL::ORIGIN); }));
     const Exact_sphere sphere(center, r);
-    auto distance = [&](const Point& p) { return sphere.distance(p); };
+    auto distance = [&](const Point& p) { return std::abs(norm(p - center) - r); };
     const Errors before = measure_errors(mesh, 8, distance);
     PMP::optimize_vertex_locations(mesh, sphere);
     const Errors after = measure_errors(mesh, 8, distance);
@@ -151,10 +131,18 @@ void test_planes()
   }
 }
 
+void test_equivariance()
+{
+  start_topic("The optimized sphere scales and moves with the input");
+  const auto turned = [](const Point& p) { return Point(0.8 * p.x() - 0.6 * p.y(), 0.6 * p.x() + 0.8 * p.y(), p.z()); };
+  check_equivariance(make_mesh(transformed(icosphere(3), turned)), make_mesh(icosphere(4)));
+}
+
 int main()
 {
   test_sphere();
   test_cylinder();
   test_planes();
+  test_equivariance();
   return test_result();
 }

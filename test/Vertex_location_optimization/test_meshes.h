@@ -80,7 +80,7 @@ inline double largest_distance(const std::vector<Point>& a, const std::vector<Po
 }
 
 template <typename Transformation>
-Soup transformed(Soup soup, const Transformation& t)
+Soup transformed(Soup soup, Transformation t)
 {
   for(Point& p : soup.points)
     p = t(p);

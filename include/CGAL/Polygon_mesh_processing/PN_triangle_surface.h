@@ -6,7 +6,6 @@
 #ifndef CGAL_POLYGON_MESH_PROCESSING_PN_TRIANGLE_SURFACE_H
 #define CGAL_POLYGON_MESH_PROCESSING_PN_TRIANGLE_SURFACE_H
 
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/make_patches.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/named_parameters.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Patch_surface.h>
 
@@ -98,7 +97,7 @@ public:
   explicit PN_triangle_surface(const TriangleMesh& tmesh,
                                const NamedParameters& np = parameters::default_values(),
                                const ConcurrencyTag& = ConcurrencyTag())
-    : Base(internal::vertex_location::make_PN_triangles<ConcurrencyTag>(tmesh, np))
+    : Base(internal::vertex_location::make_reference_patches<internal::vertex_location::PN_triangle, ConcurrencyTag>(tmesh, np))
   {}
 };
 

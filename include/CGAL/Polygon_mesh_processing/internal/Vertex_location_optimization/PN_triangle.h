@@ -77,6 +77,17 @@ public:
 
   Point reference_point() const { return point(Coordinates()); }
 
+  // control points of the boundary curve opposite to corner k, from the corner k + 1 to the corner k + 2
+  std::array<Point, 4> boundary(int k) const
+  {
+    switch(k)
+    {
+    case 0: return { b030, b021, b012, b003 };
+    case 1: return { b003, b102, b201, b300 };
+    default: return { b300, b210, b120, b030 };
+    }
+  }
+
   Point point(const Coordinates& x) const { return evaluate(x).point; }
 
   // the quadratic normal; where it vanishes that of the cubic patch

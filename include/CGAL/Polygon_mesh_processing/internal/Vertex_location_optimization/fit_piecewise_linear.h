@@ -25,7 +25,7 @@ Vector piecewise_linear_update(const Index c, const CornerSignal& p, const Midpo
 
 // Section 3.2: the piecewise linear surface closest to the samples, as far as one vertex with its faces can tell,
 // weighted by the areas of the faces of M_t, equations (1) and (2). If `along_normal`, only the part of the update along
-// n_i is taken, measured from p_i. A vertex whose faces have no area stays.
+// n_i is taken, measured from p_i. A vertex that is not free, or whose faces have no area, stays.
 template <typename ConcurrencyTag, typename Foot>
 void fit_piecewise_linear(Optimization_state<Foot>& state, const bool along_normal)
 {
@@ -36,7 +36,7 @@ void fit_piecewise_linear(Optimization_state<Foot>& state, const bool along_norm
   for_each_index<ConcurrencyTag>(mesh.points.size(), [&](std::size_t i)
   {
     state.targets[i] = mesh.points[i];
-    if(state.is_fixed[i])
+    if(!state.is_free(i))
       return;
 
     double sum_of_areas = 0;

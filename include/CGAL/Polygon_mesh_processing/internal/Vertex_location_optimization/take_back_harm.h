@@ -11,6 +11,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <set>
 #include <vector>
 
 namespace CGAL {
@@ -197,6 +199,7 @@ public:
 
   double mean_error() const { return m_mean_error; } // of the remesh
   void make_strict() { m_is_strict = true; }
+  bool is_strict() const { return m_is_strict; }
 
 private:
   Harm_criterion(Sampled_error<ReferenceSurface>& error, const State& state) : m_flips(state), m_error(error) {}
@@ -209,21 +212,56 @@ private:
   bool m_is_strict = false;
 };
 
+// Halves the moves of the vertices of faces that intersect and did not in the remesh; returns whether there were any.
+template <typename Foot, typename FacePairs>
+bool separate_faces(Optimization_state<Foot>& state,
+                    const FacePairs& of_remesh,
+                    const FacePairs& of_targets,
+                    std::vector<int>& number_of_halvings,
+                    std::vector<char>& is_shortened)
+{
+  constexpr int max_halvings = 6;
+
+  FacePairs pairs;
+  std::set_difference(of_targets.begin(), of_targets.end(), of_remesh.begin(), of_remesh.end(), std::back_inserter(pairs));
+  std::set<Index> vertices;
+  for(const auto& pair : pairs)
+    for(Index f : { pair.first, pair.second })
+      vertices.insert(state.mesh.faces[f].begin(), state.mesh.faces[f].end());
+
+  bool separated = false;
+  for(Index i : vertices)
+    if(state.targets[i] != state.initial_points[i])
+    {
+      state.targets[i] = ++number_of_halvings[i] > max_halvings ? state.initial_points[i]
+                                                                : midpoint(state.initial_points[i], state.targets[i]);
+      is_shortened[i] = 1;
+      separated = true;
+    }
+  return separated;
+}
+
 // The last word of a run: shortens the moves from the remesh to the result where they do harm, so that neither the
-// largest nor the mean error is above that of the remesh, as far as `Sampled_error` sees, and no face is flipped.
-// `refuse_moves` takes back the moves that the user does not allow, and returns whether there were any.
-template <typename ConcurrencyTag, typename ReferenceSurface, typename RefuseMoves>
+// largest nor the mean error is above that of the remesh, as far as `Sampled_error` sees, no face is flipped and, if
+// that is tested, no pair of faces intersects that did not before.
+//
+// `refuse_moves` takes back the moves that the user does not allow, and returns whether there were any;
+// `find_self_intersections` is a `Self_intersection_test`.
+template <typename ConcurrencyTag, typename ReferenceSurface, typename RefuseMoves, typename FindSelfIntersections>
 void take_back_harm(const ReferenceSurface& reference,
                     Optimization_state<typename ReferenceSurface::Foot>& state,
                     const RefuseMoves& refuse_moves,
+                    const FindSelfIntersections& find_self_intersections,
                     std::vector<char>& is_shortened)
 {
   Sampled_error<ReferenceSurface> error(reference, state);
   state.targets = state.initial_points;
   auto criterion = Harm_criterion<ReferenceSurface>::of_remesh(error, state, ConcurrencyTag());
+  const auto intersections_of_remesh = find_self_intersections(state.initial_points);
 
   state.targets = state.mesh.points;
-  auto shorten = [&]()
+  std::vector<int> number_of_halvings(state.targets.size(), 0);
+  for(;;)
   {
     do
     {
@@ -231,14 +269,19 @@ void take_back_harm(const ReferenceSurface& reference,
       shorten_moves<ConcurrencyTag>(state, state.initial_points, criterion, is_shortened);
     }
     while(refuse_moves());
-    return error.template mean<ConcurrencyTag>() <= criterion.mean_error();
-  };
 
-  if(!shorten())
-  {
-    criterion.make_strict();
-    if(!shorten())
-      state.targets = state.initial_points;
+    if(error.template mean<ConcurrencyTag>() > criterion.mean_error())
+    {
+      if(criterion.is_strict()) // no face has more error, but their areas have changed
+      {
+        state.targets = state.initial_points;
+        break;
+      }
+      criterion.make_strict();
+    }
+    else if(!separate_faces(state, intersections_of_remesh, find_self_intersections(state.targets),
+                            number_of_halvings, is_shortened))
+      break;
   }
   state.mesh.points = state.targets;
 }

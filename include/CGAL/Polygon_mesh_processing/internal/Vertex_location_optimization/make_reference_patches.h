@@ -3,10 +3,11 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_MAKE_PATCHES_H
-#define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_MAKE_PATCHES_H
+#ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_MAKE_REFERENCE_PATCHES_H
+#define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_MAKE_REFERENCE_PATCHES_H
 
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/corner_normals.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Feature_curves.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/named_parameters.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/PN_triangle.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/read_parameters.h>
@@ -15,29 +16,13 @@
 
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Polygon_mesh_processing {
 namespace internal {
 namespace vertex_location {
-
-// one flat triangle a face of `tmesh`
-template <typename ConcurrencyTag, typename TriangleMesh, typename NamedParameters>
-std::vector<Flat_triangle> make_flat_triangles(const TriangleMesh& tmesh, const NamedParameters& np)
-{
-  const auto vpm = read_vertex_point_map(tmesh, np);
-  const bool is_valid = is_valid_input(tmesh, vpm);
-  CGAL_precondition(is_valid);
-  if(!is_valid)
-    return {};
-
-  Mesh_descriptors<TriangleMesh> descriptors;
-  const Mesh_arrays mesh = make_mesh_arrays(tmesh, vpm, descriptors);
-  std::vector<Flat_triangle> patches(mesh.faces.size());
-  for_each_index<ConcurrencyTag>(patches.size(), [&](std::size_t f) { patches[f] = Flat_triangle(mesh.triangle(f)); });
-  return patches;
-}
 
 // The creases of a reference: the edges that the user constrains, and those that are sharp unless the user leaves it at
 // the constrained ones.
@@ -70,29 +55,33 @@ std::vector<char> find_creases(const Mesh_arrays& mesh,
   return is_crease;
 }
 
-// one curved PN triangle a face of `tmesh`
-template <typename ConcurrencyTag, typename TriangleMesh, typename NamedParameters>
-std::vector<PN_triangle> make_PN_triangles(const TriangleMesh& tmesh, const NamedParameters& np)
+// one flat triangle a face
+template <typename ConcurrencyTag>
+void make_patches(const Mesh_arrays& mesh,
+                  const std::vector<Vector>& /* face_normals */,
+                  const std::vector<char>& /* is_crease */,
+                  std::vector<Flat_triangle>& patches)
 {
-  const auto vpm = read_vertex_point_map(tmesh, np);
-  const bool is_valid = is_valid_input(tmesh, vpm);
-  CGAL_precondition(is_valid);
-  if(!is_valid)
-    return {};
+  patches.resize(mesh.faces.size());
+  for_each_index<ConcurrencyTag>(patches.size(), [&](std::size_t f) { patches[f] = Flat_triangle(mesh.triangle(f)); });
+}
 
-  Mesh_descriptors<TriangleMesh> descriptors;
-  const Mesh_arrays mesh = make_mesh_arrays(tmesh, vpm, descriptors);
-  const std::vector<Vector> face_normals = compute_face_normals<ConcurrencyTag>(mesh);
-  const std::vector<char> is_crease = find_creases<ConcurrencyTag>(mesh, descriptors, face_normals, np);
+// one curved PN triangle a face
+template <typename ConcurrencyTag>
+void make_patches(const Mesh_arrays& mesh,
+                  const std::vector<Vector>& face_normals,
+                  const std::vector<char>& is_crease,
+                  std::vector<PN_triangle>& patches)
+{
   const std::vector<Vector> corner_normals = compute_corner_normals<ConcurrencyTag>(mesh, face_normals, is_crease);
+  auto normal_or = [&](Index corner, const Vector& otherwise)
+  {
+    return corner == no_index ? otherwise : corner_normals[corner];
+  };
 
-  std::vector<PN_triangle> patches(mesh.faces.size());
+  patches.resize(mesh.faces.size());
   for_each_index<ConcurrencyTag>(patches.size(), [&](std::size_t f)
   {
-    auto normal_or = [&](Index corner, const Vector& otherwise)
-    {
-      return corner == no_index ? otherwise : corner_normals[corner];
-    };
     std::array<PN_triangle::Corner, 3> corners;
     for(Index k = 0; k < 3; ++k)
     {
@@ -104,7 +93,46 @@ std::vector<PN_triangle> make_PN_triangles(const TriangleMesh& tmesh, const Name
     }
     patches[f] = PN_triangle(corners);
   });
-  return patches;
+}
+
+// A reference surface: a patch a face, and the curves of its creases and borders.
+template <typename Patch>
+struct Reference_patches
+{
+  Patch_tree<Patch> tree;
+  Feature_curves curves;
+};
+
+// The reference surface of `tmesh`; an empty one if `tmesh` is unsuitable.
+template <typename Patch, typename ConcurrencyTag, typename TriangleMesh, typename NamedParameters>
+Reference_patches<Patch> make_reference_patches(const TriangleMesh& tmesh, const NamedParameters& np)
+{
+  const auto vpm = read_vertex_point_map(tmesh, np);
+  const bool is_valid = is_valid_input(tmesh, vpm);
+  CGAL_precondition(is_valid);
+  if(!is_valid)
+    return {};
+
+  Mesh_descriptors<TriangleMesh> descriptors;
+  const Mesh_arrays mesh = make_mesh_arrays(tmesh, vpm, descriptors);
+  const std::vector<Vector> face_normals = compute_face_normals<ConcurrencyTag>(mesh);
+  const std::vector<char> is_crease = find_creases<ConcurrencyTag>(mesh, descriptors, face_normals, np);
+
+  std::vector<Patch> patches;
+  make_patches<ConcurrencyTag>(mesh, face_normals, is_crease, patches);
+
+  auto is_feature = [&](Index e)
+  {
+    return mesh.edge_corners[e][0] != no_index && (is_crease[e] || mesh.is_border(e));
+  };
+  auto curve_piece = [&](Index e)
+  {
+    const Index c = mesh.edge_corners[e][0];
+    const Curve_piece piece(patches[c / 3].boundary(c % 3));
+    return mesh.vertex(Mesh_arrays::next(c)) == mesh.edges[e][0] ? piece : piece.reversed();
+  };
+  Feature_curves curves = Feature_curves::make(mesh, is_feature, curve_piece);
+  return { Patch_tree<Patch>(std::move(patches)), std::move(curves) };
 }
 
 } // namespace vertex_location
@@ -112,4 +140,4 @@ std::vector<PN_triangle> make_PN_triangles(const TriangleMesh& tmesh, const Name
 } // namespace Polygon_mesh_processing
 } // namespace CGAL
 
-#endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_MAKE_PATCHES_H
+#endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_MAKE_REFERENCE_PATCHES_H

@@ -36,8 +36,30 @@ auto read_vertex_point_map(TriangleMesh& tmesh, const NamedParameters& np)
                                                    get_property_map(vertex_point, tmesh)));
 }
 
+<<<<<<< HEAD
+// marks the edges that the user constrains
+template <typename TriangleMesh, typename NamedParameters>
+std::vector<char> find_constrained_edges(const Mesh_arrays& mesh,
+                                         const Mesh_descriptors<TriangleMesh>& descriptors,
+                                         const NamedParameters& np)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using edge_descriptor = typename boost::graph_traits<TriangleMesh>::edge_descriptor;
+
+  const auto edge_is_constrained = choose_parameter(get_parameter(np, internal_np::edge_is_constrained),
+                                                    Static_boolean_property_map<edge_descriptor, false>());
+  std::vector<char> is_constrained(mesh.edges.size());
+  for(std::size_t e = 0; e < mesh.edges.size(); ++e)
+    is_constrained[e] = get(edge_is_constrained, descriptors.edges[e]);
+  return is_constrained;
+}
+
+// the vertices that the user's constraints and the border keep where they are
+=======
 // What the user's constraints and the border keep from moving freely. Constrained edges and the border hold their vertices
 // or, if `relax_constraints`, guide them.
+>>>>>>> main
 template <typename TriangleMesh, typename NamedParameters>
 Constraints read_constraints(const Mesh_arrays& mesh,
                              const Mesh_descriptors<TriangleMesh>& descriptors,
@@ -45,21 +67,27 @@ Constraints read_constraints(const Mesh_arrays& mesh,
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  using edge_descriptor = typename boost::graph_traits<TriangleMesh>::edge_descriptor;
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
 
-  const auto edge_is_constrained = choose_parameter(get_parameter(np, internal_np::edge_is_constrained),
-                                                    Static_boolean_property_map<edge_descriptor, false>());
+  const std::vector<char> is_constrained = find_constrained_edges(mesh, descriptors, np);
   const auto vertex_is_constrained = choose_parameter(get_parameter(np, internal_np::vertex_is_constrained),
                                                       Static_boolean_property_map<vertex_descriptor, false>());
   const bool relax_constraints = choose_parameter(get_parameter(np, internal_np::relax_constraints), false);
 
+<<<<<<< HEAD
+  std::vector<char> is_fixed(mesh.points.size(), 0);
+  for(std::size_t i = 0; i < mesh.points.size(); ++i)
+    is_fixed[i] = get(vertex_is_constrained, descriptors.vertices[i]);
+  for(std::size_t e = 0; e < mesh.edges.size(); ++e)
+    if(mesh.is_border(e) || is_constrained[e])
+=======
   Constraints constraints;
   constraints.kinds.assign(mesh.points.size(), Vertex_kind::FREE);
   for(Index e = 0; e < mesh.edges.size(); ++e)
     if(mesh.is_border(e) || get(edge_is_constrained, descriptors.edges[e]))
     {
       constraints.edges.push_back(e);
+>>>>>>> main
       for(Index i : mesh.edges[e])
         constraints.kinds[i] = relax_constraints ? Vertex_kind::ON_CURVE : Vertex_kind::FIXED;
     }

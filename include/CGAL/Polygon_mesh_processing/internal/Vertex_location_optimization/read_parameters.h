@@ -36,7 +36,6 @@ auto read_vertex_point_map(TriangleMesh& tmesh, const NamedParameters& np)
                                                    get_property_map(vertex_point, tmesh)));
 }
 
-<<<<<<< HEAD
 // marks the edges that the user constrains
 template <typename TriangleMesh, typename NamedParameters>
 std::vector<char> find_constrained_edges(const Mesh_arrays& mesh,
@@ -55,11 +54,8 @@ std::vector<char> find_constrained_edges(const Mesh_arrays& mesh,
   return is_constrained;
 }
 
-// the vertices that the user's constraints and the border keep where they are
-=======
 // What the user's constraints and the border keep from moving freely. Constrained edges and the border hold their vertices
 // or, if `relax_constraints`, guide them.
->>>>>>> main
 template <typename TriangleMesh, typename NamedParameters>
 Constraints read_constraints(const Mesh_arrays& mesh,
                              const Mesh_descriptors<TriangleMesh>& descriptors,
@@ -74,20 +70,12 @@ Constraints read_constraints(const Mesh_arrays& mesh,
                                                       Static_boolean_property_map<vertex_descriptor, false>());
   const bool relax_constraints = choose_parameter(get_parameter(np, internal_np::relax_constraints), false);
 
-<<<<<<< HEAD
-  std::vector<char> is_fixed(mesh.points.size(), 0);
-  for(std::size_t i = 0; i < mesh.points.size(); ++i)
-    is_fixed[i] = get(vertex_is_constrained, descriptors.vertices[i]);
-  for(std::size_t e = 0; e < mesh.edges.size(); ++e)
-    if(mesh.is_border(e) || is_constrained[e])
-=======
   Constraints constraints;
   constraints.kinds.assign(mesh.points.size(), Vertex_kind::FREE);
   for(Index e = 0; e < mesh.edges.size(); ++e)
-    if(mesh.is_border(e) || get(edge_is_constrained, descriptors.edges[e]))
+    if(mesh.is_border(e) || is_constrained[e])
     {
       constraints.edges.push_back(e);
->>>>>>> main
       for(Index i : mesh.edges[e])
         constraints.kinds[i] = relax_constraints ? Vertex_kind::ON_CURVE : Vertex_kind::FIXED;
     }

@@ -294,7 +294,7 @@ void optimize(const Settings& s, const Mesh& input, Mesh& mesh, Crease_map is_cr
   write_colored_PLY(s.output + "optimized_error.ply", mesh, errors, largest_color);
   write_VTP(s.output + "remesh_error.vtp", remesh, "error", errors_before);
   write_VTP(s.output + "optimized_error.vtp", mesh, "error", errors);
-  std::printf("written: %sremesh*, %soptimized*; colors from 0 (blue) to %g (red)\n", s.output.c_str(),
+  std::printf("written: %sremesh*, %soptimized*; colors from 0 (blue) to %.3g (red)\n", s.output.c_str(),
               s.output.c_str(), largest_color);
 }
 

@@ -27,12 +27,20 @@ namespace vertex_location {
 class Curve_piece
 {
 public:
-  using Control_points = std::array<Point, 4>;
-
   Curve_piece() = default;
-  explicit Curve_piece(const Control_points& b) : b(b) {}
 
-  Curve_piece reversed() const { return Curve_piece({ b[3], b[2], b[1], b[0] }); }
+  // the cubic that passes through p, q, r and s at 0, 1/3, 2/3 and 1
+  Curve_piece(const Point& p, const Point& q, const Point& r, const Point& s)
+    : b{ { p, p + (18 * (q - p) - 9 * (r - p) + 2 * (s - p)) / 6, 
+         p + (18 * (r - p) - 9 * (q - p) - 5 * (s - p)) / 6, s } }
+  {}
+
+  Curve_piece reversed() const
+  {
+    Curve_piece result;
+    result.b = { { b[3], b[2], b[1], b[0] } };
+    return result;
+  }
 
   Bbox_3 bbox() const { return b[0].bbox() + b[1].bbox() + b[2].bbox() + b[3].bbox(); }
   Point reference_point() const { return point({ 0.5, 0 }); }
@@ -88,7 +96,7 @@ private:
     return true;
   }
 
-  Control_points b;
+  std::array<Point, 4> b; // the control points
 };
 
 // The creases and borders of a reference, joined to curves. A curve ends at a corner: a vertex that does not have two

@@ -86,13 +86,6 @@ public:
   Bbox_3 bbox() const { return m_corners[0].bbox() + m_corners[1].bbox() + m_corners[2].bbox(); }
   Point reference_point() const { return point(Coordinates()); }
 
-  // the side opposite to corner k, from the corner k + 1 to the corner k + 2, as a cubic Bezier curve
-  std::array<Point, 4> boundary(int k) const
-  {
-    const Point& p = m_corners[(k + 1) % 3];
-    const Point& q = m_corners[(k + 2) % 3];
-    return { p, p + (q - p) / 3, q - (q - p) / 3, q };
-  }
   Point point(const Coordinates& x) const { return point_at(m_corners, x); }
   Vector normal(const Coordinates&) const
   {

@@ -38,7 +38,8 @@ struct Optimization_state
   Optimization_state(Mesh_arrays mesh_arrays, Constraints c)
     : mesh(std::move(mesh_arrays)), constraints(std::move(c)), initial_points(mesh.points), targets(mesh.points),
       vertex_samples(mesh.points.size()), vertex_normals(mesh.points.size(), NULL_VECTOR),
-      midpoint_samples(mesh.edges.size()), vertex_feet(mesh.points.size()), midpoint_feet(mesh.edges.size())
+      midpoint_samples(mesh.edges.size()), vertex_feet(mesh.points.size()), midpoint_feet(mesh.edges.size()),
+      vertex_distance_bounds(mesh.points.size(), -1), midpoint_distance_bounds(mesh.edges.size(), -1)
   {
     group_corners_by_vertex();
 
@@ -70,13 +71,14 @@ struct Optimization_state
   Mesh_arrays mesh;                      // M_t, with the points v_i
   Constraints constraints;
   std::vector<Point> initial_points;     // of M_0
-  std::vector<Point> targets;            // p^_i, which become the points of M_t+1
+  std::vector<Point> targets;            // p^_i, which become the points of M_t+1; before they are set, M_t-1
 
   std::vector<Point> vertex_samples;     // p_i
   std::vector<Vector> vertex_normals;    // n_i
   std::vector<Point> midpoint_samples;   // m_ij
   std::vector<Foot> vertex_feet;         // where p_i is on the reference
   std::vector<Foot> midpoint_feet;       // where m_ij is
+  std::vector<double> vertex_distance_bounds, midpoint_distance_bounds; // see update_foot()
 
   double spring_length = 0;              // sigma of (3)
   double mean_edge_length = 0;           // of M_0

@@ -54,6 +54,9 @@ public:
   Point_3 point(const Foot& foot) const { return convert<Point_3>(m_patches.tree.point(foot)); }
   Vector_3 normal(const Foot& foot) const { return convert<Vector_3>(m_patches.tree.normal(foot)); }
 
+  // the closest point near `hint`, see `Reference_patches::walk()`; not part of the concept
+  Foot project_near(const Point_3& query, const Foot& hint) const { return m_patches.walk(convert<Point>(query), hint); }
+
   // the creases and borders; not part of the concept
   const Feature_curves& feature_curves() const { return m_patches.curves; }
 

@@ -80,7 +80,8 @@ private:
 
     if(!start_phase(SAMPLE_REFERENCE))
       return false;
-    sample_reference<ConcurrencyTag>(m_reference, m_state, m_report.iterations > 0);
+    sample_reference<ConcurrencyTag>(m_reference, m_state, m_report.iterations == 0,
+                                     m_report.iterations + 1 == m_options.number_of_iterations);
     m_feature_edges.sample<ConcurrencyTag>(m_state);
 
     if(!start_phase(FIT_VERTICES))

@@ -16,6 +16,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -99,8 +100,46 @@ void make_patches(const Mesh_arrays& mesh,
 template <typename Patch>
 struct Reference_patches
 {
+  // The closest point of the surface as far as walking from the patch of `hint` over neighbors leads closer. Much faster
+  // than the tree, and the same point unless another sheet of the surface is closer.
+  Patch_foot walk(const Point& query, const Patch_foot& hint) const
+  {
+    Patch_foot foot = hint;
+    double distance = (std::numeric_limits<double>::max)();
+    tree.patch(foot.patch).improve_foot_from(query, foot.coordinates, distance);
+    while(step_to_neighbor(query, foot, distance))
+      ;
+    return foot;
+  }
+
   Patch_tree<Patch> tree;
+  std::vector<std::array<Index, 3>> neighbors; // the corner on the other side of the side opposite to each corner
   Feature_curves curves;
+
+private:
+  bool step_to_neighbor(const Point& query, Patch_foot& foot, double& distance) const
+  {
+    constexpr double on_side = 1e-12;
+    const std::array<double, 3> lambda{ 1 - foot.coordinates.u - foot.coordinates.v, foot.coordinates.u, foot.coordinates.v };
+    for(Index k = 0; k < 3; ++k)
+    {
+      const Index corner = neighbors[foot.patch][k];
+      if(lambda[k] > on_side || corner == no_index)
+        continue;
+      // the common side runs the other way in the neighbor
+      std::array<double, 3> mu;
+      mu[corner % 3] = 0;
+      mu[(corner + 1) % 3] = lambda[(k + 2) % 3];
+      mu[(corner + 2) % 3] = lambda[(k + 1) % 3];
+      Patch_foot neighbor{ corner / 3, { mu[1], mu[2] } };
+      if(tree.patch(neighbor.patch).improve_foot_from(query, neighbor.coordinates, distance))
+      {
+        foot = neighbor;
+        return true;
+      }
+    }
+    return false;
+  }
 };
 
 // The reference surface of `tmesh`; an empty one if `tmesh` is unsuitable.
@@ -127,12 +166,29 @@ Reference_patches<Patch> make_reference_patches(const TriangleMesh& tmesh, const
   };
   auto curve_piece = [&](Index e)
   {
-    const Index c = mesh.edge_corners[e][0];
-    const Curve_piece piece(patches[c / 3].boundary(c % 3));
-    return mesh.vertex(Mesh_arrays::next(c)) == mesh.edges[e][0] ? piece : piece.reversed();
+    // along the side opposite to the corner k of a face at the edge
+    const Index corner = mesh.edge_corners[e][0];
+    auto at = [&](double t)
+    {
+      std::array<double, 3> lambda;
+      lambda[corner % 3] = 0;
+      lambda[(corner + 1) % 3] = 1 - t;
+      lambda[(corner + 2) % 3] = t;
+      return patches[corner / 3].point({ lambda[1], lambda[2] });
+    };
+    const Curve_piece piece(at(0), at(1. / 3), at(2. / 3), at(1));
+    return mesh.vertex(Mesh_arrays::next(corner)) == mesh.edges[e][0] ? piece : piece.reversed();
   };
-  Feature_curves curves = Feature_curves::make(mesh, is_feature, curve_piece);
-  return { Patch_tree<Patch>(std::move(patches)), std::move(curves) };
+  Reference_patches<Patch> result;
+  result.curves = Feature_curves::make(mesh, is_feature, curve_piece);
+  result.neighbors.resize(mesh.faces.size());
+  for_each_index<ConcurrencyTag>(mesh.faces.size(), [&](std::size_t f)
+  {
+    for(Index k = 0; k < 3; ++k)
+      result.neighbors[f][k] = mesh.corner_across(static_cast<Index>(3 * f + k));
+  });
+  result.tree = Patch_tree<Patch>(std::move(patches));
+  return result;
 }
 
 } // namespace vertex_location

@@ -160,15 +160,19 @@ private:
 struct Face_quality
 {
   double integral_of_error;
+  double max_error;
   bool opposes_reference;
 };
 
-// A face is bad if it is flipped, if it is the first to oppose the reference, or if its largest error exceeds that of the
-// remesh; if `is_strict`, also if it has more error than in the remesh.
+// A face is bad if it is flipped, if it opposes the reference and did not, or if its largest error exceeds that of the
+// remesh, less a margin for what lies between the samples; if the criterion is strict, also if it has more error in all
+// than in the remesh.
 template <typename ReferenceSurface>
 class Harm_criterion
 {
   using State = Optimization_state<typename ReferenceSurface::Foot>;
+
+  static constexpr double sampling_margin = 0.98;
 
 public:
   // measures the remesh, which are the targets at the time of the call
@@ -178,12 +182,12 @@ public:
     Harm_criterion result(error, state);
     error.template sample<ConcurrencyTag>();
     result.m_of_remesh.resize(state.mesh.faces.size());
+    result.m_mean_error = error.template mean<ConcurrencyTag>();
+    result.m_max_error = sampling_margin * error.template maximum<ConcurrencyTag>();
     for_each_index<ConcurrencyTag>(state.mesh.faces.size(), [&](std::size_t f)
     {
-      result.m_of_remesh[f] = { error.integral(f), error.opposes_reference(f) };
+      result.m_of_remesh[f] = { error.integral(f), error.maximum(f, result.m_max_error), error.opposes_reference(f) };
     });
-    result.m_mean_error = error.template mean<ConcurrencyTag>();
-    result.m_max_error = error.template maximum<ConcurrencyTag>();
     return result;
   }
 
@@ -192,7 +196,7 @@ public:
     return m_flips.is_bad(f) ||
            (m_error.opposes_reference(f) && !m_of_remesh[f].opposes_reference) ||
            (m_is_strict && m_error.integral(f) > m_of_remesh[f].integral_of_error) ||
-           m_error.maximum(f, m_max_error) > m_max_error;
+           m_error.maximum(f, m_max_error) > (std::max)(m_max_error, m_of_remesh[f].max_error);
   }
 
   void update(std::size_t i) { m_error.update(i); }
@@ -208,7 +212,7 @@ private:
   Sampled_error<ReferenceSurface>& m_error;
   std::vector<Face_quality> m_of_remesh;
   double m_mean_error = 0;
-  double m_max_error = 0;
+  double m_max_error = 0; // what a face must not exceed, unless it did in the remesh
   bool m_is_strict = false;
 };
 

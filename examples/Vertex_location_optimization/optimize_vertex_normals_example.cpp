@@ -3,7 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Writes an optimized remesh with its own normals and one with those that are fitted to the input.
+// Writes an optimized remesh without normals, with its own and with those that are fitted to the input, and the input.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/approximation_error.h>
@@ -26,6 +26,14 @@ using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 namespace PMP = CGAL::Polygon_mesh_processing;
 using Concurrency = CGAL::Parallel_if_available_tag;
 
+// with the normals, if it has the property "v:normal"
+bool write(const std::string& name, const Mesh& mesh)
+{
+  std::ofstream out(name, std::ios::binary);
+  CGAL::IO::set_binary_mode(out);
+  return out && CGAL::IO::write_PLY(out, mesh);
+}
+
 int main(int argc, char* argv[])
 {
   const std::string filename = argc > 1 ? argv[1] : CGAL::data_file_path("meshes/bunny00.off");
@@ -45,21 +53,23 @@ int main(int argc, char* argv[])
   remesh.collect_garbage();
   PMP::optimize_vertex_locations<Concurrency>(remesh, reference);
 
-  auto write = [&](const std::string& name)
-  {
-    std::ofstream out(prefix + name + ".ply", std::ios::binary);
-    CGAL::IO::set_binary_mode(out);
-    return CGAL::IO::write_PLY(out, remesh); // with the property "v:normal"
-  };
-  auto normals = remesh.add_property_map<Mesh::Vertex_index, Kernel::Vector_3>("v:normal").first;
   std::cout << "mean angle to the normals of the input, in degrees\n"
             << "  normals of the faces: " << PMP::normal_deviation<Concurrency>(remesh, reference) << std::endl;
+  bool is_written = write(prefix + "face_normals.ply", remesh);
 
+  auto normals = remesh.add_property_map<Mesh::Vertex_index, Kernel::Vector_3>("v:normal").first;
   PMP::compute_vertex_normals(remesh, normals);
   std::cout << "  own vertex normals:   " << PMP::normal_deviation<Concurrency>(remesh, reference, normals) << std::endl;
-  const bool is_written = write("own_normals");
+  is_written = is_written && write(prefix + "own_normals.ply", remesh);
 
   PMP::optimize_vertex_normals<Concurrency>(remesh, reference, normals);
   std::cout << "  optimized normals:    " << PMP::normal_deviation<Concurrency>(remesh, reference, normals) << std::endl;
-  return is_written && write("optimized_normals") ? EXIT_SUCCESS : EXIT_FAILURE;
+  is_written = is_written && write(prefix + "optimized_normals.ply", remesh);
+
+  auto input_normals = input.add_property_map<Mesh::Vertex_index, Kernel::Vector_3>("v:normal").first;
+  PMP::compute_vertex_normals(input, input_normals);
+  is_written = is_written && write(prefix + "input_normals.ply", input);
+  if(!is_written)
+    std::cerr << "error: a mesh cannot be written" << std::endl;
+  return is_written ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -55,7 +55,7 @@ enum Vertex_location_optimization_phase
  *
  * \brief The default visitor of `CGAL::Polygon_mesh_processing::optimize_vertex_locations()`: it does nothing.
  *
- * \cgalModels `VertexLocationOptimizationVisitor`
+ * \cgalModels{VertexLocationOptimizationVisitor}
  */
 struct Vertex_location_optimization_default_visitor
 {

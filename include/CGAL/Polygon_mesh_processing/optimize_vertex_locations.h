@@ -11,6 +11,7 @@
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Self_intersection_test.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Vertex_location_optimizer.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/with_reference_surface.h>
+#include <CGAL/Polygon_mesh_processing/Placement_method.h>
 #include <CGAL/Polygon_mesh_processing/Vertex_location_optimization_report.h>
 
 #include <CGAL/assertions.h>
@@ -97,6 +98,22 @@ namespace Polygon_mesh_processing {
  *                           length of `tmesh`.}
  *     \cgalParamType{a number type convertible to `double`}
  *     \cgalParamDefault{`1e-6`}
+ *   \cgalParamNEnd
+ *
+ *   \cgalParamNBegin{placement_method}
+ *     \cgalParamDescription{how a vertex is placed among its samples}
+ *     \cgalParamType{`Placement_method`}
+ *     \cgalParamDefault{`PIECEWISE_LINEAR`}
+ *   \cgalParamNEnd
+ *
+ *   \cgalParamNBegin{regularity_weight}
+ *     \cgalParamDescription{with `LEAST_SQUARES`, the weight of the regularity of the triangles beside their error; less
+ *                           of it gives less error and less regular triangles}
+ *     \cgalParamType{a number type convertible to `double`}
+ *     \cgalParamDefault{`0.1`}
+ *     \cgalParamExtra{The springs of `PIECEWISE_LINEAR` have no weight: see `number_of_relaxation_steps`. With
+ *                     `LEAST_SQUARES` only the vertices of constrained edges have springs, and the free iterations are
+ *                     theirs alone.}
  *   \cgalParamNEnd
  *
  *   \cgalParamNBegin{number_of_relaxation_steps}
@@ -203,6 +220,10 @@ optimize_vertex_locations(TriangleMesh& tmesh,
     choose_parameter(get_parameter(np1, internal_np::number_of_relaxation_steps), options.number_of_relaxation_steps);
   options.convergence_threshold =
     to_double(choose_parameter(get_parameter(np1, internal_np::convergence_threshold), options.convergence_threshold));
+  options.placement_method =
+    choose_parameter(get_parameter(np1, internal_np::placement_method), options.placement_method);
+  options.regularity_weight =
+    to_double(choose_parameter(get_parameter(np1, internal_np::regularity_weight), options.regularity_weight));
 
   Mesh_descriptors<TriangleMesh> descriptors;
   Mesh_arrays mesh = make_mesh_arrays(tmesh, vpm, descriptors);

@@ -40,9 +40,11 @@ namespace Polygon_mesh_processing {
  * of the fit and of the springs.
  *
  * The result is never worse than the input: neither the mean nor the maximum distance of `tmesh` to the reference is
- * larger than before, and no face is flipped, that is, has turned by more than 60 degrees or opposes the reference where
- * it did not before. To that end the distance is sampled at the vertices, the midpoints of the edges and the barycenters
- * of the faces, and at 45 points of the faces that come near the maximum; moves are shortened where they do harm.
+ * larger than before; no face is flipped, that is, has turned by more than 60 degrees or opposes the reference where it
+ * did not before; and no face has collapsed, to a smallest angle below 10 degrees and below half of what it was. To that
+ * end the distance is sampled at the vertices, the midpoints of the edges and the barycenters of the faces, and at 45
+ * points of the faces that come near the maximum; moves are shortened where they do harm. The distance in the other
+ * direction, from the reference to `tmesh`, is not guaranteed.
  *
  * The result does not depend on the number of threads.
  *

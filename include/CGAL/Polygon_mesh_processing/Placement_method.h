@@ -20,7 +20,8 @@ enum Placement_method
   /// midpoints of the edges, with springs that keep the triangles regular
   PIECEWISE_LINEAR,
   /// a point-to-plane least squares fit to samples of both surfaces, with the regularity as a term of the fit. Samples of
-  /// the reference bring back thin parts and creases that the remesh misses.
+  /// the reference bring back thin parts and creases that the remesh misses. Only `PN_triangle_surface` and
+  /// `Flat_triangle_surface` are sampled; with another model of `ReferenceSurface` the fit sees the remesh's samples alone.
   LEAST_SQUARES
 };
 

@@ -36,13 +36,15 @@ namespace Polygon_mesh_processing {
  *
  * Each iteration samples the reference at the vertices and at the midpoints of the edges, replaces each vertex by that
  * of the best piecewise linear fit to the samples around it, lets springs between neighbors keep the triangles regular,
- * and shortens moves that flip a face. It is Algorithm 1 of \cgalCite{cgal:vlo-12}; its equations (1) to (4) are those
+ * and shortens moves that flip a face. It is Algorithm 1 of \cgalCite{vlo2012}; its equations (1) to (4) are those
  * of the fit and of the springs.
  *
  * The result is never worse than the input: neither the mean nor the maximum distance of `tmesh` to the reference is
- * larger than before, and no face is flipped, that is, has turned by more than 60 degrees or opposes the reference where
- * it did not before. To that end the distance is sampled at the vertices, the midpoints of the edges and the barycenters
- * of the faces, and at 45 points of the faces that come near the maximum; moves are shortened where they do harm.
+ * larger than before; no face is flipped, that is, has turned by more than 60 degrees or opposes the reference where it
+ * did not before; and no face has collapsed, to a smallest angle below 10 degrees and below half of what it was. To that
+ * end the distance is sampled at the vertices, the midpoints of the edges and the barycenters of the faces, and at 45
+ * points of the faces that come near the maximum; moves are shortened where they do harm. The distance in the other
+ * direction, from the reference to `tmesh`, is not guaranteed.
  *
  * The result does not depend on the number of threads.
  *
@@ -50,8 +52,8 @@ namespace Polygon_mesh_processing {
  *
  * \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
  *                        `Parallel_tag`, and `Parallel_if_available_tag`.
- * \tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph`, and `VertexListGraph`
- * \tparam Reference a model of `FaceListGraph`, `HalfedgeListGraph`, and `VertexListGraph`, of any type, or a model of
+ * \tparam TriangleMesh a model of `VertexListGraph`, `EdgeListGraph`, and `FaceListGraph`
+ * \tparam Reference a model of `VertexListGraph`, `EdgeListGraph`, and `FaceListGraph`, of any type, or a model of
  *                   `ReferenceSurface`
  * \tparam NamedParameters1 a sequence of \ref bgl_namedparameters "Named Parameters"
  * \tparam NamedParameters2 a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -179,7 +181,7 @@ namespace Polygon_mesh_processing {
  *
  * \pre `CGAL::is_triangle_mesh(tmesh)` and, if `reference` is a mesh, `CGAL::is_triangle_mesh(reference)`
  * \pre all coordinates are finite
- * \pre the reference has a face, unless `tmesh` has none
+ * \pre the reference has a face, unless `tmesh` has no vertex
  *
  * \return what was done. If a precondition is violated and not checked, `tmesh` is untouched and the report says that
  *         there was no iteration.

@@ -8,8 +8,10 @@
 
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/named_parameters.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/read_parameters.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Self_intersection_test.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Vertex_location_optimizer.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/with_reference_surface.h>
+#include <CGAL/Polygon_mesh_processing/Placement_method.h>
 #include <CGAL/Polygon_mesh_processing/Vertex_location_optimization_report.h>
 
 #include <CGAL/assertions.h>
@@ -34,8 +36,15 @@ namespace Polygon_mesh_processing {
  *
  * Each iteration samples the reference at the vertices and at the midpoints of the edges, replaces each vertex by that
  * of the best piecewise linear fit to the samples around it, lets springs between neighbors keep the triangles regular,
- * and shortens moves that flip a face. It is Algorithm 1 of \cgalCite{cgal:vlo-12}; its equations (1) to (4) are those
+ * and shortens moves that flip a face. It is Algorithm 1 of \cgalCite{vlo2012}; its equations (1) to (4) are those
  * of the fit and of the springs.
+ *
+ * The result is never worse than the input: neither the mean nor the maximum distance of `tmesh` to the reference is
+ * larger than before; no face is flipped, that is, has turned by more than 60 degrees or opposes the reference where it
+ * did not before; and no face has collapsed, to a smallest angle below 10 degrees and below half of what it was. To that
+ * end the distance is sampled at the vertices, the midpoints of the edges and the barycenters of the faces, and at 45
+ * points of the faces that come near the maximum; moves are shortened where they do harm. The distance in the other
+ * direction, from the reference to `tmesh`, is not guaranteed.
  *
  * The result does not depend on the number of threads.
  *
@@ -43,8 +52,8 @@ namespace Polygon_mesh_processing {
  *
  * \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
  *                        `Parallel_tag`, and `Parallel_if_available_tag`.
- * \tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph`, and `VertexListGraph`
- * \tparam Reference a model of `FaceListGraph`, `HalfedgeListGraph`, and `VertexListGraph`, of any type, or a model of
+ * \tparam TriangleMesh a model of `VertexListGraph`, `EdgeListGraph`, and `FaceListGraph`
+ * \tparam Reference a model of `VertexListGraph`, `EdgeListGraph`, and `FaceListGraph`, of any type, or a model of
  *                   `ReferenceSurface`
  * \tparam NamedParameters1 a sequence of \ref bgl_namedparameters "Named Parameters"
  * \tparam NamedParameters2 a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -93,6 +102,22 @@ namespace Polygon_mesh_processing {
  *     \cgalParamDefault{`1e-6`}
  *   \cgalParamNEnd
  *
+ *   \cgalParamNBegin{placement_method}
+ *     \cgalParamDescription{how a vertex is placed among its samples}
+ *     \cgalParamType{`Placement_method`}
+ *     \cgalParamDefault{`PIECEWISE_LINEAR`}
+ *   \cgalParamNEnd
+ *
+ *   \cgalParamNBegin{regularity_weight}
+ *     \cgalParamDescription{with `LEAST_SQUARES`, the weight of the regularity of the triangles beside their error; less
+ *                           of it gives less error and less regular triangles}
+ *     \cgalParamType{a number type convertible to `double`}
+ *     \cgalParamDefault{`0.1`}
+ *     \cgalParamExtra{The springs of `PIECEWISE_LINEAR` have no weight: see `number_of_relaxation_steps`. With
+ *                     `LEAST_SQUARES` only the vertices of constrained edges have springs, and the free iterations are
+ *                     theirs alone.}
+ *   \cgalParamNEnd
+ *
  *   \cgalParamNBegin{number_of_relaxation_steps}
  *     \cgalParamDescription{the number of steps of the springs in each free iteration; `0`: no springs}
  *     \cgalParamType{unsigned integer}
@@ -101,11 +126,22 @@ namespace Polygon_mesh_processing {
  *
  *   \cgalParamNBegin{edge_is_constrained_map}
  *     \cgalParamDescription{a property map containing the constrained-or-not status of each edge of `tmesh`. The
- *                           vertices of constrained edges do not move.}
+ *                           vertices of constrained edges do not move or, with `relax_constraints`, follow the creases
+ *                           and borders of the reference.}
  *     \cgalParamType{a class model of `ReadablePropertyMap` with
  *                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type}
  *     \cgalParamDefault{a default property map where no edge is constrained}
  *     \cgalParamExtra{Border edges are always constrained.}
+ *   \cgalParamNEnd
+ *
+ *   \cgalParamNBegin{relax_constraints}
+ *     \cgalParamDescription{If `true`, a vertex with exactly two constrained edges that form an angle of more than 120
+ *                           degrees moves to where these edges approximate the crease or border of the reference best
+ *                           that they run along. Other vertices of constrained edges are corners and do not move.}
+ *     \cgalParamType{Boolean}
+ *     \cgalParamDefault{`false`}
+ *     \cgalParamExtra{The creases of the reference are those of `PN_triangle_surface` and `Flat_triangle_surface`. With
+ *                     another model of `ReferenceSurface` the vertices of constrained edges do not move.}
  *   \cgalParamNEnd
  *
  *   \cgalParamNBegin{vertex_is_constrained_map}
@@ -117,12 +153,20 @@ namespace Polygon_mesh_processing {
  *   \cgalParamNEnd
  *
  *   \cgalParamNBegin{allow_move_functor}
- *     \cgalParamDescription{a function object that decides whether a vertex may be moved. It is asked for each move of
- *                           an iteration, by one thread.}
+ *     \cgalParamDescription{a function object that decides whether a vertex may be moved. It is asked, by one thread,
+ *                           for each move of an iteration and, when moves are shortened at the end, for the move from
+ *                           the input.}
  *     \cgalParamType{a functor that provides `bool operator()(vertex_descriptor v, Point_3 src, Point_3 tgt)`, returning
  *                    `true` if the vertex `v` may be moved from `src` to `tgt`; `%Point_3` being the value type of the
  *                    vertex point map}
  *     \cgalParamDefault{If not provided, all moves are allowed.}
+ *   \cgalParamNEnd
+ *
+ *   \cgalParamNBegin{do_self_intersection_tests}
+ *     \cgalParamDescription{If `true`, moves are shortened until no two faces intersect that did not before. The test is
+ *                           `self_intersections()`, at the end of the run.}
+ *     \cgalParamType{Boolean}
+ *     \cgalParamDefault{`false`}
  *   \cgalParamNEnd
  *
  *   \cgalParamNBegin{visitor}
@@ -137,7 +181,7 @@ namespace Polygon_mesh_processing {
  *
  * \pre `CGAL::is_triangle_mesh(tmesh)` and, if `reference` is a mesh, `CGAL::is_triangle_mesh(reference)`
  * \pre all coordinates are finite
- * \pre the reference has a face, unless `tmesh` has none
+ * \pre the reference has a face, unless `tmesh` has no vertex
  *
  * \return what was done. If a precondition is violated and not checked, `tmesh` is untouched and the report says that
  *         there was no iteration.
@@ -178,16 +222,23 @@ optimize_vertex_locations(TriangleMesh& tmesh,
     choose_parameter(get_parameter(np1, internal_np::number_of_relaxation_steps), options.number_of_relaxation_steps);
   options.convergence_threshold =
     to_double(choose_parameter(get_parameter(np1, internal_np::convergence_threshold), options.convergence_threshold));
+  options.placement_method =
+    choose_parameter(get_parameter(np1, internal_np::placement_method), options.placement_method);
+  options.regularity_weight =
+    to_double(choose_parameter(get_parameter(np1, internal_np::regularity_weight), options.regularity_weight));
 
   Mesh_descriptors<TriangleMesh> descriptors;
   Mesh_arrays mesh = make_mesh_arrays(tmesh, vpm, descriptors);
-  std::vector<char> is_fixed = find_fixed_vertices(mesh, descriptors, np1);
+  Constraints constraints = read_constraints(mesh, descriptors, np1);
 
   const auto is_allowed = choose_parameter(get_parameter(np1, internal_np::allow_move_functor), Allow_all_moves());
   const auto allow_move = [&](std::size_t i, const Point& source, const Point& target)
   {
     return is_allowed(descriptors.vertices[i], convert<Point_3>(source), convert<Point_3>(target));
   };
+
+  const Self_intersection_test<ConcurrencyTag, TriangleMesh> find_self_intersections(
+    tmesh, descriptors, choose_parameter(get_parameter(np1, internal_np::do_self_intersection_tests), false));
 
   Vertex_location_optimization_default_visitor default_visitor;
   auto&& visitor = choose_parameter(get_parameter_reference(np1, internal_np::visitor), default_visitor);
@@ -200,8 +251,8 @@ optimize_vertex_locations(TriangleMesh& tmesh,
       return Vertex_location_optimization_report();
 
     using Surface = std::decay_t<decltype(surface)>;
-    Optimization_state<typename Surface::Foot> state(std::move(mesh), std::move(is_fixed));
-    const auto report = optimize<ConcurrencyTag>(state, surface, options, allow_move, visitor);
+    Optimization_state<typename Surface::Foot> state(std::move(mesh), std::move(constraints));
+    const auto report = optimize<ConcurrencyTag>(state, surface, options, allow_move, find_self_intersections, visitor);
 
     for(std::size_t i = 0; i < state.mesh.points.size(); ++i)
       if(state.mesh.points[i] != state.initial_points[i])

@@ -54,26 +54,25 @@ struct Mesh_arrays
   Index opposite_edge(Index corner) const { return face_edges[corner / 3][corner % 3]; }
   bool is_border(std::size_t e) const { return edge_corners[e][0] == no_index || edge_corners[e][1] == no_index; }
 
+  // the corner opposite to the same edge on its other side; no_index at a border
+  Index corner_across(Index corner) const
+  {
+    const std::array<Index, 2>& corners = edge_corners[opposite_edge(corner)];
+    return corners[0] == corner ? corners[1] : corners[0];
+  }
+
   // the corner at the same vertex in the face across the edge that is opposite to the next corner; no_index at a border
   Index corner_across_next(Index corner) const
   {
-    const Index opposite = across(next(corner));
+    const Index opposite = corner_across(next(corner));
     return opposite == no_index ? no_index : next(opposite);
   }
 
   // the same across the edge that is opposite to the previous corner
   Index corner_across_previous(Index corner) const
   {
-    const Index opposite = across(previous(corner));
+    const Index opposite = corner_across(previous(corner));
     return opposite == no_index ? no_index : previous(opposite);
-  }
-
-private:
-  // the corner opposite to the same edge on its other side
-  Index across(Index corner) const
-  {
-    const std::array<Index, 2>& corners = edge_corners[opposite_edge(corner)];
-    return corners[0] == corner ? corners[1] : corners[0];
   }
 };
 

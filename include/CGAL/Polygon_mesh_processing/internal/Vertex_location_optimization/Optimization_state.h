@@ -18,15 +18,28 @@ namespace Polygon_mesh_processing {
 namespace internal {
 namespace vertex_location {
 
+enum class Vertex_kind : char
+{
+  FREE,
+  ON_CURVE, // moves along with the constrained edges or the border
+  FIXED
+};
+
+struct Constraints
+{
+  std::vector<Vertex_kind> kinds;  // of the vertices
+  std::vector<Index> edges;        // the constrained edges and the border edges
+};
+
 // What the phases of an iteration read and write. Foot is that of the reference surface.
 template <typename Foot>
 struct Optimization_state
 {
-  // `is_fixed[i]` is not 0 for a vertex that must stay
-  Optimization_state(Mesh_arrays mesh_arrays, std::vector<char> is_fixed)
-    : mesh(std::move(mesh_arrays)), is_fixed(std::move(is_fixed)), initial_points(mesh.points), targets(mesh.points),
+  Optimization_state(Mesh_arrays mesh_arrays, Constraints c)
+    : mesh(std::move(mesh_arrays)), constraints(std::move(c)), initial_points(mesh.points), targets(mesh.points),
       vertex_samples(mesh.points.size()), vertex_normals(mesh.points.size(), NULL_VECTOR),
-      midpoint_samples(mesh.edges.size()), vertex_feet(mesh.points.size()), midpoint_feet(mesh.edges.size())
+      midpoint_samples(mesh.edges.size()), vertex_feet(mesh.points.size()), midpoint_feet(mesh.edges.size()),
+      vertex_distance_bounds(mesh.points.size(), -1), midpoint_distance_bounds(mesh.edges.size(), -1)
   {
     group_corners_by_vertex();
 
@@ -47,16 +60,28 @@ struct Optimization_state
       f(corners[k]);
   }
 
+  bool is_free(std::size_t i) const { return constraints.kinds[i] == Vertex_kind::FREE; }
+
+  // whether the fit leaves vertex i where it is
+  bool is_at_rest(std::size_t i) const
+  {
+    return squared_distance(targets[i], mesh.points[i]) <= square(1e-9 * mean_edge_length);
+  }
+
+  // by how much a foot may be farther away than the closest point
+  double foot_tolerance() const { return 0.01 * mean_edge_length; }
+
   Mesh_arrays mesh;                      // M_t, with the points v_i
-  std::vector<char> is_fixed;
+  Constraints constraints;
   std::vector<Point> initial_points;     // of M_0
-  std::vector<Point> targets;            // p^_i, which become the points of M_t+1
+  std::vector<Point> targets;            // p^_i, which become the points of M_t+1; before they are set, M_t-1
 
   std::vector<Point> vertex_samples;     // p_i
   std::vector<Vector> vertex_normals;    // n_i
   std::vector<Point> midpoint_samples;   // m_ij
   std::vector<Foot> vertex_feet;         // where p_i is on the reference
   std::vector<Foot> midpoint_feet;       // where m_ij is
+  std::vector<double> vertex_distance_bounds, midpoint_distance_bounds; // see update_foot()
 
   double spring_length = 0;              // sigma of (3)
   double mean_edge_length = 0;           // of M_0

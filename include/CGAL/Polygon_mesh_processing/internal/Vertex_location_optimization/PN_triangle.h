@@ -35,20 +35,29 @@ public:
 
   explicit PN_triangle(const std::array<Corner, 3>& c)
   {
-    b300 = c[0].point;
-    b030 = c[1].point;
-    b003 = c[2].point;
-    b210 = edge_point(c[0], c[1], c[0].normal_across_next);
-    b120 = edge_point(c[1], c[0], c[1].normal_across_previous);
-    b021 = edge_point(c[1], c[2], c[1].normal_across_next);
-    b012 = edge_point(c[2], c[1], c[2].normal_across_previous);
-    b102 = edge_point(c[2], c[0], c[2].normal_across_next);
-    b201 = edge_point(c[0], c[2], c[0].normal_across_previous);
-
+    // the control points
+    const Point &b300 = c[0].point, &b030 = c[1].point, &b003 = c[2].point;
+    const Point b210 = edge_point(c[0], c[1], c[0].normal_across_next),
+                b120 = edge_point(c[1], c[0], c[1].normal_across_previous),
+                b021 = edge_point(c[1], c[2], c[1].normal_across_next),
+                b012 = edge_point(c[2], c[1], c[2].normal_across_previous),
+                b102 = edge_point(c[2], c[0], c[2].normal_across_next),
+                b201 = edge_point(c[0], c[2], c[0].normal_across_previous);
     const Vector e = ((b210 - ORIGIN) + (b120 - ORIGIN) + (b021 - ORIGIN) +
                       (b012 - ORIGIN) + (b102 - ORIGIN) + (b201 - ORIGIN)) / 6;
     const Vector m = ((b300 - ORIGIN) + (b030 - ORIGIN) + (b003 - ORIGIN)) / 3;
-    b111 = ORIGIN + (e + (e - m) / 2);
+    const Point b111 = ORIGIN + (e + (e - m) / 2);
+
+    m_corners = { b300, b030, b003 };
+    c10 = 3 * (b210 - b300);
+    c01 = 3 * (b201 - b300);
+    c20 = 3 * ((b120 - b210) - (b210 - b300));
+    c11 = 6 * ((b111 - b210) - (b201 - b300));
+    c02 = 3 * ((b102 - b201) - (b201 - b300));
+    c30 = (b030 - b300) - 3 * (b120 - b210);
+    c21 = 3 * ((b021 - b120) - 2 * (b111 - b210) + (b201 - b300));
+    c12 = 3 * ((b012 - b102) - 2 * (b111 - b201) + (b210 - b300));
+    c03 = (b003 - b300) - 3 * (b102 - b201);
 
     n200 = c[0].normal;
     n020 = c[1].normal;
@@ -57,26 +66,29 @@ public:
     n011 = edge_normal(c[1], c[2]);
     n101 = edge_normal(c[2], c[0]);
 
-    // By the convex hull property no point of the patch is farther from the point of the flat triangle with the same
-    // coordinates than the control point that is farthest from its place in the flat triangle.
-    auto deviation2 = [&](const Point& b, double i, double j, double k)
+    // By the convex hull property the patch lies in the box of its control points, and no point of it is farther from the
+    // point of the flat triangle with the same coordinates than the control point that is farthest from its place there.
+    m_bbox = b300.bbox() + b030.bbox() + b003.bbox();
+    double deviation2 = 0;
+    auto add_control_point = [&](const Point& b, double i, double j, double k)
     {
-      return ((b - ORIGIN) - (i * (b300 - ORIGIN) + j * (b030 - ORIGIN) + k * (b003 - ORIGIN)) / 3).squared_length();
+      m_bbox += b.bbox();
+      const Vector d = (b - b300) - (j * (b030 - b300) + k * (b003 - b300)) / (i + j + k);
+      deviation2 = (std::max)(deviation2, d.squared_length());
     };
-    m_deviation = std::sqrt((std::max)({ deviation2(b210, 2, 1, 0), deviation2(b120, 1, 2, 0), deviation2(b021, 0, 2, 1),
-                                         deviation2(b012, 0, 1, 2), deviation2(b102, 1, 0, 2), deviation2(b201, 2, 0, 1),
-                                         deviation2(b111, 1, 1, 1) }));
+    add_control_point(b210, 2, 1, 0);
+    add_control_point(b120, 1, 2, 0);
+    add_control_point(b021, 0, 2, 1);
+    add_control_point(b012, 0, 1, 2);
+    add_control_point(b102, 1, 0, 2);
+    add_control_point(b201, 2, 0, 1);
+    add_control_point(b111, 1, 1, 1);
+    m_deviation = std::sqrt(deviation2);
   }
 
-  // The patch lies in the convex hull of its control points.
-  Bbox_3 bbox() const
-  {
-    return b300.bbox() + b030.bbox() + b003.bbox() + b210.bbox() + b120.bbox() + b021.bbox() + b012.bbox() +
-           b102.bbox() + b201.bbox() + b111.bbox();
-  }
-
+  const Bbox_3& bbox() const { return m_bbox; }
   Point reference_point() const { return point(Coordinates()); }
-
+  double area() const { return norm(area_normal(m_corners[0], m_corners[1], m_corners[2])) / 2; } // of the flat triangle
   Point point(const Coordinates& x) const { return evaluate(x).point; }
 
   // the quadratic normal; where it vanishes that of the cubic patch
@@ -93,9 +105,8 @@ public:
 
   bool improve_foot(const Point& query, Coordinates& x, double& squared_distance_bound) const
   {
-    const std::array<Point, 3> corners{ b300, b030, b003 };
-    Coordinates start = closest_on_triangle(corners, query);
-    const double lower_bound = std::sqrt(squared_distance(query, point_at(corners, start))) - m_deviation;
+    Coordinates start = closest_on_triangle(m_corners, query);
+    const double lower_bound = std::sqrt(squared_distance(query, point_at(m_corners, start))) - m_deviation;
     if(lower_bound > 0 && lower_bound * lower_bound >= squared_distance_bound)
       return false;
 
@@ -138,26 +149,24 @@ private:
     return length2 > 0 ? normalized(n - (2 * (d * n) / length2) * d) : normalized(n);
   }
 
-  // de Casteljau's algorithm
   Derivatives evaluate(const Coordinates& x) const
   {
-    auto blend = [&](const Point& a, const Point& b, const Point& c) { return a + (x.u * (b - a) + x.v * (c - a)); };
-    const Point q200 = blend(b300, b210, b201), q110 = blend(b210, b120, b111), q101 = blend(b201, b111, b102),
-                q020 = blend(b120, b030, b021), q011 = blend(b111, b021, b012), q002 = blend(b102, b012, b003);
-    const Point r100 = blend(q200, q110, q101), r010 = blend(q110, q020, q011), r001 = blend(q101, q011, q002);
-    return { blend(r100, r010, r001),
-             3 * (r010 - r100),
-             3 * (r001 - r100),
-             6 * ((q020 - q110) - (q110 - q200)),
-             6 * ((q011 - q110) - (q101 - q200)),
-             6 * ((q002 - q101) - (q101 - q200)) };
+    const double u = x.u, v = x.v;
+    return { m_corners[0] + (u * (c10 + u * (c20 + u * c30) + v * (c11 + u * c21 + v * c12)) +
+                             v * (c01 + v * (c02 + v * c03))),
+             c10 + u * (2 * c20 + 3 * u * c30) + v * (c11 + 2 * u * c21 + v * c12),
+             c01 + v * (2 * c02 + 3 * v * c03) + u * (c11 + u * c21 + 2 * v * c12),
+             2 * c20 + 6 * u * c30 + 2 * v * c21,
+             c11 + 2 * u * c21 + 2 * v * c12,
+             2 * c02 + 6 * v * c03 + 2 * u * c12 };
   }
 
   // Whether the patch is so far from flat that the foot on the flat triangle says little about the foot on the patch.
   bool is_bent() const
   {
-    const double longest2 = (std::max)({ squared_distance(b300, b030), squared_distance(b030, b003),
-                                         squared_distance(b003, b300) });
+    const double longest2 = (std::max)({ squared_distance(m_corners[0], m_corners[1]),
+                                         squared_distance(m_corners[1], m_corners[2]),
+                                         squared_distance(m_corners[2], m_corners[0]) });
     return 100 * m_deviation * m_deviation > longest2;
   }
 
@@ -183,7 +192,7 @@ private:
   bool minimize_distance(const Point& query, Coordinates x, Coordinates& foot, double& squared_distance_bound) const
   {
     constexpr int max_iterations = 20;
-    constexpr double precision = 1e-7; // convergence is quadratic: a step of this length leaves an error of rounding
+    constexpr double precision = 1e-5; // convergence is quadratic: this step leaves an error of some 1e-10
     Derivatives s = evaluate(x);
     double distance = squared_distance(query, s.point);
     for(int iteration = 0; iteration < max_iterations; ++iteration)
@@ -265,8 +274,10 @@ private:
     return best;
   }
 
-  Point b300, b030, b003, b210, b120, b021, b012, b102, b201, b111;
+  std::array<Point, 3> m_corners;
+  Vector c10, c01, c20, c11, c02, c30, c21, c12, c03; // the patch in powers of u and v, from corner 0
   Vector n200, n020, n002, n110, n011, n101;
+  Bbox_3 m_bbox;
   double m_deviation = 0; // upper bound of the distance between corresponding points of the patch and the flat triangle
 };
 

@@ -6,7 +6,7 @@
 #ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_PATCH_SURFACE_H
 #define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_PATCH_SURFACE_H
 
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Patch_tree.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/make_reference_patches.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/properties.h>
@@ -42,24 +42,33 @@ public:
   using Vector_3 = typename Geom_traits::Vector_3;
   using Foot = Patch_foot;
 
-  bool is_empty() const { return m_tree.empty(); }
+  bool is_empty() const { return m_patches.tree.empty(); }
 
   Foot project(const Point_3& query) const { return project(query, Foot()); }
 
   Foot project(const Point_3& query, const Foot& hint) const
   {
     CGAL_precondition(!is_empty());
-    return m_tree.project(convert<Point>(query), hint);
+    return m_patches.tree.project(convert<Point>(query), hint);
   }
 
-  Point_3 point(const Foot& foot) const { return convert<Point_3>(m_tree.point(foot)); }
-  Vector_3 normal(const Foot& foot) const { return convert<Vector_3>(m_tree.normal(foot)); }
+  Point_3 point(const Foot& foot) const { return convert<Point_3>(m_patches.tree.point(foot)); }
+  Vector_3 normal(const Foot& foot) const { return convert<Vector_3>(m_patches.tree.normal(foot)); }
+
+  // the closest point near `hint`, see `Reference_patches::walk()`; not part of the concept
+  Foot project_near(const Point_3& query, const Foot& hint) const { return m_patches.walk(convert<Point>(query), hint); }
+
+  // samples of the surface with their areas, see `Reference_patches::area_samples()`; not part of the concept
+  std::vector<std::pair<Foot, double>> area_samples(std::size_t n) const { return m_patches.area_samples(n); }
+
+  // the creases and borders; not part of the concept
+  const Feature_curves& feature_curves() const { return m_patches.curves; }
 
 protected:
-  explicit Patch_surface(std::vector<Patch> patches) : m_tree(std::move(patches)) {}
+  explicit Patch_surface(Reference_patches<Patch> patches) : m_patches(std::move(patches)) {}
 
 private:
-  Patch_tree<Patch> m_tree;
+  Reference_patches<Patch> m_patches;
 };
 
 } // namespace vertex_location

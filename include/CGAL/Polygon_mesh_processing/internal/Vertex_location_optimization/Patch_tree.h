@@ -56,6 +56,8 @@ class Patch_tree
   using Tree = AABB_tree<AABB_traits_for<Kernel, Primitive>>;
 
 public:
+  Patch_tree() = default;
+
   explicit Patch_tree(std::vector<Patch> patches)
     : m_patches(std::move(patches))
   {
@@ -65,6 +67,7 @@ public:
   }
 
   bool empty() const { return m_patches.empty(); }
+  const Patch& patch(Index i) const { return m_patches[i]; }
   Point point(const Patch_foot& foot) const { return m_patches[foot.patch].point(foot.coordinates); }
   Vector normal(const Patch_foot& foot) const { return m_patches[foot.patch].normal(foot.coordinates); }
 

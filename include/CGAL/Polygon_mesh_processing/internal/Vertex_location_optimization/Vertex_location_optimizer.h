@@ -7,10 +7,13 @@
 #define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_VERTEX_LOCATION_OPTIMIZER_H
 
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/correct_flips.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Feature_edges.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/fit_least_squares.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/fit_piecewise_linear.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/relax_springs.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/sample_reference.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/take_back_harm.h>
+#include <CGAL/Polygon_mesh_processing/Placement_method.h>
 #include <CGAL/Polygon_mesh_processing/Vertex_location_optimization_report.h>
 
 #include <algorithm>
@@ -34,11 +37,17 @@ struct Options
   std::size_t number_of_free_iterations = 20;
   std::size_t number_of_relaxation_steps = 1;
   double convergence_threshold = 1e-6; // relative to the mean edge length
+  Placement_method placement_method = PIECEWISE_LINEAR;
+  double regularity_weight = 0.1;      // of LEAST_SQUARES
 };
 
-// Algorithm 1: moves the vertices of the mesh in `state` to where its faces approximate `reference` best. `Allow_move` is
-// a functor (i, source, target) -> bool.
-template <typename ConcurrencyTag, typename ReferenceSurface, typename AllowMove, typename Visitor>
+// Algorithm 1: moves the vertices of the mesh in `state` to where its faces approximate `reference` best. `AllowMove` is
+// a functor (i, source, target) -> bool, `FindSelfIntersections` is a `Self_intersection_test`.
+template <typename ConcurrencyTag,
+          typename ReferenceSurface,
+          typename AllowMove,
+          typename FindSelfIntersections,
+          typename Visitor>
 class Vertex_location_optimizer
 {
   using State = Optimization_state<typename ReferenceSurface::Foot>;
@@ -48,8 +57,11 @@ public:
                             const ReferenceSurface& reference,
                             const Options& options,
                             const AllowMove& allow_move,
+                            const FindSelfIntersections& find_self_intersections,
                             Visitor& visitor)
-    : m_state(state), m_reference(reference), m_options(options), m_allow_move(allow_move), m_visitor(visitor),
+    : m_state(state), m_reference(reference), m_options(options), m_allow_move(allow_move),
+      m_find_self_intersections(find_self_intersections), m_visitor(visitor),
+      m_feature_edges(Feature_curves_of<ReferenceSurface>::get(reference), state),
       m_is_shortened(state.mesh.points.size(), 0)
   {}
 
@@ -59,7 +71,7 @@ public:
       m_visitor.end_iteration(m_report);
     if(m_report.iterations > 0)
       take_back_harm<ConcurrencyTag>(m_reference, m_state, [&]() { return refuse_moves(m_state.initial_points); },
-                                     m_is_shortened);
+                                     m_find_self_intersections, m_is_shortened);
     m_report.corrected_vertices = std::count(m_is_shortened.begin(), m_is_shortened.end(), 1);
     return m_report;
   }
@@ -68,33 +80,64 @@ private:
   // one iteration; false if the visitor stopped it
   bool iterate()
   {
-    const bool is_free = m_report.iterations < m_options.number_of_free_iterations;
-
     if(!start_phase(SAMPLE_REFERENCE))
       return false;
-    sample_reference<ConcurrencyTag>(m_reference, m_state, m_report.iterations > 0);
+    sample();
 
     if(!start_phase(FIT_VERTICES))
       return false;
-    fit_piecewise_linear<ConcurrencyTag>(m_state, !is_free);
+    fit();
 
-    // once only the part along the normal is taken, nothing moves a vertex along the surface
-    if(is_free)
-    {
-      if(!start_phase(RELAX_VERTICES))
-        return false;
-      relax_springs<ConcurrencyTag>(m_state, m_options.number_of_relaxation_steps);
-    }
+    if(!start_phase(RELAX_VERTICES))
+      return false;
+    relax();
 
     if(!start_phase(CORRECT_FLIPS))
       return false;
+    correct();
+
+    move_vertices();
+    return true;
+  }
+
+  // vertices move freely; later only along the normal
+  bool is_free() const { return m_report.iterations < m_options.number_of_free_iterations; }
+
+  void sample()
+  {
+    const bool is_first = m_report.iterations == 0;
+    const bool is_last = m_report.iterations + 1 == m_options.number_of_iterations;
+    sample_reference<ConcurrencyTag>(m_reference, m_state, is_first, is_last);
+    if(m_options.placement_method == LEAST_SQUARES)
+      sample_both_surfaces<ConcurrencyTag>(m_reference, m_state, is_first, is_last, m_samples);
+    m_feature_edges.sample<ConcurrencyTag>(m_state);
+  }
+
+  void fit()
+  {
+    if(m_options.placement_method == LEAST_SQUARES)
+      fit_least_squares<ConcurrencyTag>(m_state, m_samples, m_options.regularity_weight);
+    else
+      fit_piecewise_linear<ConcurrencyTag>(m_state, !is_free());
+    m_feature_edges.fit<ConcurrencyTag>(m_state, !is_free());
+  }
+
+  // Once only the part along the normal is taken nothing moves a vertex along the surface.
+  void relax()
+  {
+    if(!is_free())
+      return;
+    if(m_options.placement_method == PIECEWISE_LINEAR)
+      relax_springs<ConcurrencyTag>(m_state, m_options.number_of_relaxation_steps);
+    m_feature_edges.relax(m_state, m_options.number_of_relaxation_steps);
+  }
+
+  void correct()
+  {
     keep_non_finite_targets_away();
     do
       correct_flips<ConcurrencyTag>(m_state, m_is_shortened);
     while(refuse_moves(m_state.mesh.points));
-
-    move_vertices();
-    return true;
   }
 
   bool start_phase(Vertex_location_optimization_phase phase)
@@ -149,20 +192,28 @@ private:
   const ReferenceSurface& m_reference;
   const Options m_options;
   const AllowMove& m_allow_move;
+  const FindSelfIntersections& m_find_self_intersections;
   Visitor& m_visitor;
+  Feature_edges m_feature_edges;
+  Two_sided_samples<typename ReferenceSurface::Foot> m_samples; // of LEAST_SQUARES
   std::vector<char> m_is_shortened;
   Vertex_location_optimization_report m_report;
 };
 
-template <typename ConcurrencyTag, typename ReferenceSurface, typename AllowMove, typename Visitor>
+template <typename ConcurrencyTag,
+          typename ReferenceSurface,
+          typename AllowMove,
+          typename FindSelfIntersections,
+          typename Visitor>
 Vertex_location_optimization_report optimize(Optimization_state<typename ReferenceSurface::Foot>& state,
                                              const ReferenceSurface& reference,
                                              const Options& options,
                                              const AllowMove& allow_move,
+                                             const FindSelfIntersections& find_self_intersections,
                                              Visitor& visitor)
 {
-  using Optimizer = Vertex_location_optimizer<ConcurrencyTag, ReferenceSurface, AllowMove, Visitor>;
-  return Optimizer(state, reference, options, allow_move, visitor).run();
+  return Vertex_location_optimizer<ConcurrencyTag, ReferenceSurface, AllowMove, FindSelfIntersections, Visitor>(
+    state, reference, options, allow_move, find_self_intersections, visitor).run();
 }
 
 } // namespace vertex_location

@@ -9,6 +9,7 @@
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/for_each_index.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Mesh_arrays.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace CGAL {
@@ -45,27 +46,43 @@ std::vector<char> detect_creases(const Mesh_arrays& mesh, const std::vector<Vect
   return is_crease;
 }
 
-// The normals at the corners of the faces: the average, weighted by the angles, over the sector of faces around the
-// vertex that creases and borders leave. All corners of a sector have the same normal, to the last bit.
-template <typename ConcurrencyTag>
-std::vector<Vector> compute_corner_normals(const Mesh_arrays& mesh,
-                                           const std::vector<Vector>& face_normals,
-                                           const std::vector<char>& is_crease)
+// The corners around a vertex, in sectors that creases and borders end.
+class Sectors
 {
-  auto next_in_sector = [&](Index corner)
+public:
+  Sectors(const Mesh_arrays& mesh, const std::vector<char>& is_crease) : m_mesh(mesh), m_is_crease(is_crease) {}
+
+  // Calls f(c) for each corner c of the sector of `corner`, in an order that is the same for all of them: from its end
+  // or, if it is a full turn, from its smallest corner.
+  template <typename F>
+  void for_each_corner(const Index corner, const F& f) const
   {
-    return is_crease[mesh.opposite_edge(Mesh_arrays::next(corner))] ? no_index : mesh.corner_across_next(corner);
-  };
-  auto previous_in_sector = [&](Index corner)
+    const Index first = first_corner(corner);
+    Index c = first;
+    do
+    {
+      f(c);
+      c = next(c);
+    }
+    while(c != no_index && c != first);
+  }
+
+private:
+  Index next(Index corner) const
   {
-    return is_crease[mesh.opposite_edge(Mesh_arrays::previous(corner))] ? no_index
-                                                                        : mesh.corner_across_previous(corner);
-  };
-  // where the sum of a sector starts: at its end or, if it is a full turn, at its smallest corner
-  auto first_in_sector = [&](Index corner)
+    return m_is_crease[m_mesh.opposite_edge(Mesh_arrays::next(corner))] ? no_index : m_mesh.corner_across_next(corner);
+  }
+
+  Index previous(Index corner) const
+  {
+    return m_is_crease[m_mesh.opposite_edge(Mesh_arrays::previous(corner))] ? no_index
+                                                                            : m_mesh.corner_across_previous(corner);
+  }
+
+  Index first_corner(const Index corner) const
   {
     Index smallest = corner;
-    for(Index c = previous_in_sector(corner), last = corner; ; last = c, c = previous_in_sector(c))
+    for(Index c = previous(corner), last = corner; ; last = c, c = previous(c))
     {
       if(c == no_index)
         return last;
@@ -73,23 +90,31 @@ std::vector<Vector> compute_corner_normals(const Mesh_arrays& mesh,
         return smallest;
       smallest = (std::min)(smallest, c);
     }
-  };
+  }
 
+  const Mesh_arrays& m_mesh;
+  const std::vector<char>& m_is_crease;
+};
+
+// The normals at the corners of the faces: the average over their sector, weighted by the angles. All corners of a
+// sector have the same normal, to the last bit.
+template <typename ConcurrencyTag>
+std::vector<Vector> compute_corner_normals(const Mesh_arrays& mesh,
+                                           const std::vector<Vector>& face_normals,
+                                           const std::vector<char>& is_crease)
+{
+  const Sectors sectors(mesh, is_crease);
   std::vector<Vector> normals(3 * mesh.faces.size());
   for_each_index<ConcurrencyTag>(normals.size(), [&](std::size_t i)
   {
-    const Index first = first_in_sector(static_cast<Index>(i));
     Vector sum = NULL_VECTOR;
-    Index corner = first;
-    do
+    sectors.for_each_corner(static_cast<Index>(i), [&](Index corner)
     {
       const Point& p = mesh.points[mesh.vertex(corner)];
       const Point& q = mesh.points[mesh.vertex(Mesh_arrays::next(corner))];
       const Point& r = mesh.points[mesh.vertex(Mesh_arrays::previous(corner))];
       sum = sum + angle_at(p, q, r) * face_normals[corner / 3];
-      corner = next_in_sector(corner);
-    }
-    while(corner != no_index && corner != first);
+    });
     normals[i] = normalized(sum);
   });
   return normals;

@@ -8,6 +8,8 @@
 
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/shorten_moves.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -16,8 +18,9 @@ namespace Polygon_mesh_processing {
 namespace internal {
 namespace vertex_location {
 
-// A face is flipped if the targets of its vertices turn its normal by more than 60 degrees from that in the remesh, or
-// take its area away. A face that has no area in the remesh is never flipped.
+// A face is bad if it is flipped: the targets of its vertices turn its normal by more than 60 degrees from that in the
+// remesh; or if it collapses: its smallest angle falls below 10 degrees and below half of that in the remesh. A face that
+// has no area in the remesh is never bad.
 template <typename Foot>
 class Flip_criterion
 {
@@ -26,25 +29,46 @@ public:
 
   bool is_bad(std::size_t f) const
   {
-    constexpr double cosine = 0.5;
-    const Vector before = normal(m_state.initial_points, f), after = normal(m_state.targets, f);
-    const double before2 = before.squared_length();
-    return before2 > 0 && before * after <= cosine * std::sqrt(before2 * after.squared_length());
+    constexpr double cosine_of_flip = 0.5;
+    constexpr double sine_of_collapse = 0.17364817766693036; // of 10 degrees
+
+    const std::array<Point, 3> before = triangle(m_state.initial_points, f), after = triangle(m_state.targets, f);
+    const Vector m = area_normal(before[0], before[1], before[2]), n = area_normal(after[0], after[1], after[2]);
+    const double area_before = norm(m), area_after = norm(n);
+    if(!(area_before > 0))
+      return false;
+    if(!(m * n > cosine_of_flip * area_before * area_after))
+      return true;
+
+    const double sine = sine_of_smallest_angle(after, area_after);
+    if(sine >= sine_of_collapse)
+      return false;
+    const double sine_before = sine_of_smallest_angle(before, area_before);
+    const double cosine_before = std::sqrt((std::max)(0., 1 - sine_before * sine_before));
+    return sine < std::sqrt((1 - cosine_before) / 2); // the sine of half the angle
   }
 
   void update(std::size_t) {}
 
 private:
-  Vector normal(const std::vector<Point>& points, std::size_t f) const
+  std::array<Point, 3> triangle(const std::vector<Point>& points, std::size_t f) const
   {
     const std::array<Index, 3>& v = m_state.mesh.faces[f];
-    return area_normal(points[v[0]], points[v[1]], points[v[2]]);
+    return { points[v[0]], points[v[1]], points[v[2]] };
+  }
+
+  // the smallest angle is between the two longest sides
+  static double sine_of_smallest_angle(const std::array<Point, 3>& t, const double twice_area)
+  {
+    std::array<double, 3> sides{ squared_distance(t[0], t[1]), squared_distance(t[1], t[2]), squared_distance(t[2], t[0]) };
+    std::sort(sides.begin(), sides.end());
+    return twice_area / std::sqrt(sides[1] * sides[2]);
   }
 
   const Optimization_state<Foot>& m_state;
 };
 
-// Shortens moves of this iteration until no face is flipped.
+// Shortens moves of this iteration until no face is flipped or collapsed.
 template <typename ConcurrencyTag, typename Foot>
 void correct_flips(Optimization_state<Foot>& state, std::vector<char>& is_shortened)
 {

@@ -13,33 +13,38 @@ namespace Polygon_mesh_processing {
 namespace internal {
 namespace vertex_location {
 
+// Equation (1) in the face of corner c = i, relative to the signal at i, where it loses no digits. The signal, points or
+// vectors, is p(c) at a corner and m(c) at the midpoint of the edge that is opposite to it.
+template <typename CornerSignal, typename MidpointSignal>
+Vector piecewise_linear_update(const Index c, const CornerSignal& p, const MidpointSignal& m)
+{
+  const Index j = Mesh_arrays::next(c), k = Mesh_arrays::previous(c);
+  const auto& p_i = p(c);
+  return (11 * ((m(k) - p_i) + (m(j) - p_i)) - 7 * (m(c) - p_i) - 2 * ((p(j) - p_i) + (p(k) - p_i))) / 15;
+}
+
 // Section 3.2: the piecewise linear surface closest to the samples, as far as one vertex with its faces can tell,
 // weighted by the areas of the faces of M_t, equations (1) and (2). If `along_normal`, only the part of the update along
-// n_i is taken, measured from p_i. A vertex whose faces have no area stays.
+// n_i is taken, measured from p_i. A vertex that is not free, or whose faces have no area, stays.
 template <typename ConcurrencyTag, typename Foot>
 void fit_piecewise_linear(Optimization_state<Foot>& state, const bool along_normal)
 {
   const Mesh_arrays& mesh = state.mesh;
-  const std::vector<Point>& p = state.vertex_samples;
-  const std::vector<Point>& m = state.midpoint_samples;
+  const auto p = [&](Index c) -> const Point& { return state.vertex_samples[mesh.vertex(c)]; };
+  const auto m = [&](Index c) -> const Point& { return state.midpoint_samples[mesh.opposite_edge(c)]; };
 
   for_each_index<ConcurrencyTag>(mesh.points.size(), [&](std::size_t i)
   {
     state.targets[i] = mesh.points[i];
-    if(state.is_fixed[i])
+    if(!state.is_free(i))
       return;
 
-    // (1) relative to p_i, where it loses no digits
     double sum_of_areas = 0;
     Vector sum = NULL_VECTOR;
     state.for_each_corner(i, [&](Index c)
     {
-      const Index at_j = Mesh_arrays::next(c), at_k = Mesh_arrays::previous(c);
       const double area = norm(mesh.area_normal(c / 3));
-      const Vector to_j = p[mesh.vertex(at_j)] - p[i], to_k = p[mesh.vertex(at_k)] - p[i];
-      const Vector to_m_ij = m[mesh.opposite_edge(at_k)] - p[i], to_m_ik = m[mesh.opposite_edge(at_j)] - p[i],
-                   to_m_jk = m[mesh.opposite_edge(c)] - p[i];
-      sum = sum + area * (11 * (to_m_ij + to_m_ik) - 7 * to_m_jk - 2 * (to_j + to_k)) / 15;
+      sum = sum + area * piecewise_linear_update(c, p, m);
       sum_of_areas += area;
     });
     if(!(sum_of_areas > 0))
@@ -48,7 +53,7 @@ void fit_piecewise_linear(Optimization_state<Foot>& state, const bool along_norm
     Vector update = sum / sum_of_areas; // (2)
     if(along_normal)
       update = (update * state.vertex_normals[i]) * state.vertex_normals[i];
-    state.targets[i] = p[i] + update;
+    state.targets[i] = state.vertex_samples[i] + update;
   });
 }
 

@@ -8,12 +8,17 @@
 
 #include <CGAL/Named_function_parameters.h>
 
+#include <type_traits>
+
 namespace CGAL {
 
 namespace internal_np {
 enum number_of_free_iterations_t { number_of_free_iterations };
 enum convergence_threshold_t { convergence_threshold };
 enum placement_method_t { placement_method };
+enum regularity_weight_t { regularity_weight };
+enum face_error_map_t { face_error_map };
+enum vertex_error_map_t { vertex_error_map };
 } // namespace internal_np
 
 namespace Polygon_mesh_processing {
@@ -38,9 +43,20 @@ struct Vertex_location_named_parameters
   CGAL_VERTEX_LOCATION_named_parameter(number_of_free_iterations)
   CGAL_VERTEX_LOCATION_named_parameter(convergence_threshold)
   CGAL_VERTEX_LOCATION_named_parameter(placement_method)
+  CGAL_VERTEX_LOCATION_named_parameter(regularity_weight)
+  CGAL_VERTEX_LOCATION_named_parameter(face_error_map)
+  CGAL_VERTEX_LOCATION_named_parameter(vertex_error_map)
   CGAL_VERTEX_LOCATION_named_parameter(sharpness_angle)
 #undef CGAL_VERTEX_LOCATION_named_parameter
 };
+
+// Whether T is a sequence of named parameters, to tell it from an argument that comes before.
+template <typename T, typename Tag, typename Base>
+std::true_type is_named_parameters(const Named_function_parameters<T, Tag, Base>*);
+std::false_type is_named_parameters(const void*);
+
+template <typename T>
+using Is_named_parameters = decltype(is_named_parameters(static_cast<const T*>(nullptr)));
 
 } // namespace internal
 } // namespace Polygon_mesh_processing
@@ -56,6 +72,9 @@ namespace parameters {
 CGAL_VERTEX_LOCATION_named_parameter(number_of_free_iterations)
 CGAL_VERTEX_LOCATION_named_parameter(convergence_threshold)
 CGAL_VERTEX_LOCATION_named_parameter(placement_method)
+CGAL_VERTEX_LOCATION_named_parameter(regularity_weight)
+CGAL_VERTEX_LOCATION_named_parameter(face_error_map)
+CGAL_VERTEX_LOCATION_named_parameter(vertex_error_map)
 #undef CGAL_VERTEX_LOCATION_named_parameter
 
 } // namespace parameters

@@ -21,7 +21,6 @@ void relax_springs(Optimization_state<Foot>& state, const std::size_t number_of_
 {
   const Mesh_arrays& mesh = state.mesh;
   const double two_sigma2 = 2 * state.spring_length * state.spring_length;
-  const double rest2 = CGAL::square(1e-9 * state.mean_edge_length);
   if(!(two_sigma2 > 0))
     return;
 
@@ -31,7 +30,7 @@ void relax_springs(Optimization_state<Foot>& state, const std::size_t number_of_
     for_each_index<ConcurrencyTag>(state.targets.size(), [&](std::size_t i)
     {
       relaxed[i] = state.targets[i];
-      if(state.is_fixed[i] || squared_distance(state.targets[i], mesh.points[i]) <= rest2)
+      if(!state.is_free(i) || state.is_at_rest(i))
         return;
 
       Vector force = NULL_VECTOR;

@@ -11,6 +11,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <set>
 #include <vector>
 
 namespace CGAL {
@@ -158,15 +160,19 @@ private:
 struct Face_quality
 {
   double integral_of_error;
+  double max_error;
   bool opposes_reference;
 };
 
-// A face is bad if it is flipped, if it is the first to oppose the reference, or if its largest error exceeds that of the
-// remesh; if `is_strict`, also if it has more error than in the remesh.
+// A face is bad if it is flipped, if it opposes the reference and did not, or if its largest error exceeds that of the
+// remesh, less a margin for what lies between the samples; if the criterion is strict, also if it has more error in all
+// than in the remesh.
 template <typename ReferenceSurface>
 class Harm_criterion
 {
   using State = Optimization_state<typename ReferenceSurface::Foot>;
+
+  static constexpr double sampling_margin = 0.98;
 
 public:
   // measures the remesh, which are the targets at the time of the call
@@ -176,12 +182,12 @@ public:
     Harm_criterion result(error, state);
     error.template sample<ConcurrencyTag>();
     result.m_of_remesh.resize(state.mesh.faces.size());
+    result.m_mean_error = error.template mean<ConcurrencyTag>();
+    result.m_max_error = sampling_margin * error.template maximum<ConcurrencyTag>();
     for_each_index<ConcurrencyTag>(state.mesh.faces.size(), [&](std::size_t f)
     {
-      result.m_of_remesh[f] = { error.integral(f), error.opposes_reference(f) };
+      result.m_of_remesh[f] = { error.integral(f), error.maximum(f, result.m_max_error), error.opposes_reference(f) };
     });
-    result.m_mean_error = error.template mean<ConcurrencyTag>();
-    result.m_max_error = error.template maximum<ConcurrencyTag>();
     return result;
   }
 
@@ -190,13 +196,14 @@ public:
     return m_flips.is_bad(f) ||
            (m_error.opposes_reference(f) && !m_of_remesh[f].opposes_reference) ||
            (m_is_strict && m_error.integral(f) > m_of_remesh[f].integral_of_error) ||
-           m_error.maximum(f, m_max_error) > m_max_error;
+           m_error.maximum(f, m_max_error) > (std::max)(m_max_error, m_of_remesh[f].max_error);
   }
 
   void update(std::size_t i) { m_error.update(i); }
 
   double mean_error() const { return m_mean_error; } // of the remesh
   void make_strict() { m_is_strict = true; }
+  bool is_strict() const { return m_is_strict; }
 
 private:
   Harm_criterion(Sampled_error<ReferenceSurface>& error, const State& state) : m_flips(state), m_error(error) {}
@@ -205,25 +212,60 @@ private:
   Sampled_error<ReferenceSurface>& m_error;
   std::vector<Face_quality> m_of_remesh;
   double m_mean_error = 0;
-  double m_max_error = 0;
+  double m_max_error = 0; // what a face must not exceed, unless it did in the remesh
   bool m_is_strict = false;
 };
 
+// Halves the moves of the vertices of faces that intersect and did not in the remesh; returns whether there were any.
+template <typename Foot, typename FacePairs>
+bool separate_faces(Optimization_state<Foot>& state,
+                    const FacePairs& of_remesh,
+                    const FacePairs& of_targets,
+                    std::vector<int>& number_of_halvings,
+                    std::vector<char>& is_shortened)
+{
+  constexpr int max_halvings = 6;
+
+  FacePairs pairs;
+  std::set_difference(of_targets.begin(), of_targets.end(), of_remesh.begin(), of_remesh.end(), std::back_inserter(pairs));
+  std::set<Index> vertices;
+  for(const auto& pair : pairs)
+    for(Index f : { pair.first, pair.second })
+      vertices.insert(state.mesh.faces[f].begin(), state.mesh.faces[f].end());
+
+  bool separated = false;
+  for(Index i : vertices)
+    if(state.targets[i] != state.initial_points[i])
+    {
+      state.targets[i] = ++number_of_halvings[i] > max_halvings ? state.initial_points[i]
+                                                                : midpoint(state.initial_points[i], state.targets[i]);
+      is_shortened[i] = 1;
+      separated = true;
+    }
+  return separated;
+}
+
 // The last word of a run: shortens the moves from the remesh to the result where they do harm, so that neither the
-// largest nor the mean error is above that of the remesh, as far as `Sampled_error` sees, and no face is flipped.
-// `refuse_moves` takes back the moves that the user does not allow, and returns whether there were any.
-template <typename ConcurrencyTag, typename ReferenceSurface, typename RefuseMoves>
+// largest nor the mean error is above that of the remesh, as far as `Sampled_error` sees, no face is flipped and, if
+// that is tested, no pair of faces intersects that did not before.
+//
+// `refuse_moves` takes back the moves that the user does not allow, and returns whether there were any;
+// `find_self_intersections` is a `Self_intersection_test`.
+template <typename ConcurrencyTag, typename ReferenceSurface, typename RefuseMoves, typename FindSelfIntersections>
 void take_back_harm(const ReferenceSurface& reference,
                     Optimization_state<typename ReferenceSurface::Foot>& state,
                     const RefuseMoves& refuse_moves,
+                    const FindSelfIntersections& find_self_intersections,
                     std::vector<char>& is_shortened)
 {
   Sampled_error<ReferenceSurface> error(reference, state);
   state.targets = state.initial_points;
   auto criterion = Harm_criterion<ReferenceSurface>::of_remesh(error, state, ConcurrencyTag());
+  const auto intersections_of_remesh = find_self_intersections(state.initial_points);
 
   state.targets = state.mesh.points;
-  auto shorten = [&]()
+  std::vector<int> number_of_halvings(state.targets.size(), 0);
+  for(;;)
   {
     do
     {
@@ -231,14 +273,19 @@ void take_back_harm(const ReferenceSurface& reference,
       shorten_moves<ConcurrencyTag>(state, state.initial_points, criterion, is_shortened);
     }
     while(refuse_moves());
-    return error.template mean<ConcurrencyTag>() <= criterion.mean_error();
-  };
 
-  if(!shorten())
-  {
-    criterion.make_strict();
-    if(!shorten())
-      state.targets = state.initial_points;
+    if(error.template mean<ConcurrencyTag>() > criterion.mean_error())
+    {
+      if(criterion.is_strict()) // no face has more error, but their areas have changed
+      {
+        state.targets = state.initial_points;
+        break;
+      }
+      criterion.make_strict();
+    }
+    else if(!separate_faces(state, intersections_of_remesh, find_self_intersections(state.targets),
+                            number_of_halvings, is_shortened))
+      break;
   }
   state.mesh.points = state.targets;
 }

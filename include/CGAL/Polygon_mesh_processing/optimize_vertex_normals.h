@@ -1,0 +1,142 @@
+// Copyright (c) 2026 The Vertex_location_optimization authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POLYGON_MESH_PROCESSING_OPTIMIZE_VERTEX_NORMALS_H
+#define CGAL_POLYGON_MESH_PROCESSING_OPTIMIZE_VERTEX_NORMALS_H
+
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/fit_normals.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/named_parameters.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/normal_maps.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/read_parameters.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/with_reference_surface.h>
+
+#include <CGAL/assertions.h>
+#include <CGAL/tags.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Polygon_mesh_processing {
+
+/*!
+ * \ingroup PkgVertexLocationOptimizationRef
+ *
+ * \brief computes the unit normals of the vertices of a triangle mesh whose interpolation over its faces is closest to
+ *        the normals of a reference surface.
+ *
+ * A renderer interpolates the normals of the vertices. The normals of the faces around a vertex give poor ones where the
+ * mesh is coarse, and those of the reference at the vertices are on average too much curved. This function fits a
+ * piecewise linear function to the normals of the reference at the vertices and at the midpoints of the edges, as
+ * `optimize_vertex_locations()` does for the points \cgalCite{vlo2012}. It is best called after that function.
+ *
+ * At an edge that `edge_is_constrained_map` marks, a crease, each face takes the normals of its own side. The faces
+ * around a vertex are in sectors, which creases and borders end; each sector has a normal of its own. A map of the
+ * corners receives them all and renders a crease sharp; a map of the vertices receives that of the sector with the
+ * largest area.
+ *
+ * The normals are always unit vectors. Where the faces have no area, or where the fit vanishes or turns away from the
+ * reference, the normal is that of the reference near the vertex, and \f$ (0,0,1) \f$ if that has none either.
+ *
+ * The result does not depend on the number of threads.
+ *
+ * \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
+ *                        `Parallel_tag`, and `Parallel_if_available_tag`.
+ * \tparam TriangleMesh a model of `VertexListGraph`, `EdgeListGraph`, and `FaceListGraph`
+ * \tparam Reference a model of `VertexListGraph`, `EdgeListGraph`, and `FaceListGraph`, of any type, or a model of
+ *                   `ReferenceSurface`
+ * \tparam NormalMap a class model of `WritablePropertyMap` with `%Vector_3` as value type, and as key type
+ *                   `boost::graph_traits<TriangleMesh>::%vertex_descriptor`, or
+ *                   `boost::graph_traits<TriangleMesh>::%halfedge_descriptor`
+ * \tparam NamedParameters1 a sequence of \ref bgl_namedparameters "Named Parameters"
+ * \tparam NamedParameters2 a sequence of \ref bgl_namedparameters "Named Parameters"
+ *
+ * \param tmesh the triangle mesh
+ * \param reference the surface that gives the normals: a triangle mesh, which is taken as a `PN_triangle_surface`, or a
+ *                  reference surface
+ * \param normal_map receives the normals of the vertices, or those of the corners of the faces: the normal of a halfedge
+ *                   is that of its face at its target. Border halfedges receive none.
+ * \param np1 an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{vertex_point_map}
+ *     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with
+ *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
+ *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+ *   \cgalParamNEnd
+ *
+ *   \cgalParamNBegin{geom_traits}
+ *     \cgalParamDescription{an instance of a geometric traits class}
+ *     \cgalParamType{a class model of `Kernel`}
+ *     \cgalParamDefault{a \cgal kernel deduced from the point type, using `CGAL::Kernel_traits`}
+ *     \cgalParamExtra{The geometric traits class must be compatible with the vertex point type. The computations are
+ *                     done in double precision with any kernel.}
+ *   \cgalParamNEnd
+ *
+ *   \cgalParamNBegin{edge_is_constrained_map}
+ *     \cgalParamDescription{a property map containing the crease-or-not status of each edge of `tmesh`}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with
+ *                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type}
+ *     \cgalParamDefault{a default property map where no edge is a crease}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * \param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters": those of the constructor of
+ *            `PN_triangle_surface` if `reference` is a triangle mesh; not used if it is a reference surface
+ *
+ * \pre `CGAL::is_triangle_mesh(tmesh)` and, if `reference` is a mesh, `CGAL::is_triangle_mesh(reference)`
+ * \pre all coordinates are finite
+ * \pre the reference has a face, unless `tmesh` has no vertex
+ *
+ * If a precondition is violated and not checked, the map is untouched.
+ *
+ * \sa `CGAL::Polygon_mesh_processing::optimize_vertex_locations()`
+ * \sa `CGAL::Polygon_mesh_processing::normal_deviation()`
+ * \sa `CGAL::Polygon_mesh_processing::compute_vertex_normals()`
+ */
+template <typename ConcurrencyTag = Sequential_tag,
+          typename TriangleMesh,
+          typename Reference,
+          typename NormalMap,
+          typename NamedParameters1 = parameters::Default_named_parameters,
+          typename NamedParameters2 = parameters::Default_named_parameters>
+void optimize_vertex_normals(const TriangleMesh& tmesh,
+                             const Reference& reference,
+                             NormalMap normal_map,
+                             const NamedParameters1& np1 = parameters::default_values(),
+                             const NamedParameters2& np2 = parameters::default_values())
+{
+  using namespace internal::vertex_location;
+
+  const auto vpm = read_vertex_point_map(tmesh, np1);
+  const bool is_valid = is_valid_input(tmesh, vpm);
+  CGAL_precondition(is_valid);
+  if(!is_valid)
+    return;
+
+  Mesh_descriptors<TriangleMesh> descriptors;
+  const Mesh_arrays mesh = make_mesh_arrays(tmesh, vpm, descriptors);
+  const std::vector<char> is_crease = find_constrained_edges(mesh, descriptors, np1);
+
+  with_reference_surface<ConcurrencyTag>(reference, np2, [&](const auto& surface)
+  {
+    const bool has_reference = !is_empty_surface(surface) || mesh.points.empty();
+    CGAL_precondition(has_reference);
+    if(!has_reference)
+      return;
+
+    const auto samples = sample_normals<ConcurrencyTag>(mesh, surface, is_crease);
+    const auto corner_normals = fit_normals<ConcurrencyTag>(mesh, samples, is_crease);
+    if constexpr(Is_corner_map<TriangleMesh, NormalMap>::value)
+      write_corner_normals(tmesh, descriptors, corner_normals, normal_map);
+    else
+      write_vertex_normals(descriptors, choose_vertex_normals(mesh, samples, is_crease, corner_normals), normal_map);
+  });
+}
+
+} // namespace Polygon_mesh_processing
+} // namespace CGAL
+
+#endif // CGAL_POLYGON_MESH_PROCESSING_OPTIMIZE_VERTEX_NORMALS_H

@@ -1,0 +1,336 @@
+// Copyright (c) 2026 The Vertex_location_optimization authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Errors and angles that are known, from formulas or from an independent program.
+
+#include "check.h"
+#include "test_meshes.h"
+
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/Polygon_mesh_processing/approximation_error.h>
+#include <CGAL/Polygon_mesh_processing/Flat_triangle_surface.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
+namespace PMP = CGAL::Polygon_mesh_processing;
+using Flat_surface = PMP::Flat_triangle_surface<Mesh>;
+
+// a unit sphere with no more than the concept has
+struct Exact_sphere
+{
+  using Point_3 = Point;
+  using Vector_3 = Vector;
+  struct Foot { Vector direction; };
+
+  Foot project(const Point& p) const
+  {
+    const Vector v = p - CGAL::ORIGIN;
+    return { v / std::sqrt(v.squared_length()) };
+  }
+  Foot project(const Point& p, const Foot&) const { return project(p); }
+  Point point(const Foot& foot) const { return CGAL::ORIGIN + foot.direction; }
+  Vector normal(const Foot& foot) const { return foot.direction; }
+};
+
+bool operator==(const PMP::Approximation_error& a, const PMP::Approximation_error& b)
+{
+  return a.mean == b.mean && a.rms == b.rms && a.max == b.max;
+}
+
+template <typename F>
+Mesh moved(const Soup& soup, const F& f) { return make_mesh(transformed(soup, f)); }
+
+double area(const Mesh& mesh, Mesh::Face_index f)
+{
+  const Mesh::Halfedge_index h = mesh.halfedge(f);
+  return std::sqrt(CGAL::squared_area(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
+                                      mesh.point(mesh.target(mesh.next(h)))));
+}
+
+void test_parallel_planes()
+{
+  start_topic("a plane parallel to a plane");
+  for(const double scale : { 1., 1e-6, 1e6 })
+  {
+    auto large = [&](const Point& p) { return Point(scale * (3 * p.x() - 6), scale * (3 * p.y() - 6), 0); };
+    auto lifted = [&](const Point& p) { return Point(scale * p.x(), scale * p.y(), scale * 0.25); };
+    const Mesh reference = moved(planar_patch(8), large), mesh = moved(planar_patch(4), lifted);
+    for(const PMP::Approximation_error& e : { PMP::approximation_error(mesh, reference),
+                                              PMP::approximation_error(mesh, Flat_surface(reference)) })
+    {
+      CHECK_NEAR(e.mean, 0.25 * scale, 1e-12 * scale);
+      CHECK_NEAR(e.rms, 0.25 * scale, 1e-12 * scale);
+      CHECK_NEAR(e.max, 0.25 * scale, 1e-12 * scale);
+    }
+  }
+}
+
+void test_translation()
+{
+  start_topic("a known translation, both directions");
+  // the unit square moved by its own width along itself: the distance is x over the part that sticks out
+  const Soup square = transformed(triangle_grid(20, 20, false, 0), [](const Point& p)
+  {
+    return Point(p.x() / 20, p.y() / 20, 0);
+  });
+  const Mesh here = make_mesh(square);
+  const Mesh there = moved(square, [](const Point& p) { return Point(p.x() + 1, p.y(), 0); });
+  const Mesh half = moved(square, [](const Point& p) { return Point(p.x() / 2, p.y(), 0); });
+
+  const PMP::Approximation_error e = PMP::approximation_error(there, here);
+  CHECK_NEAR(e.mean, 1. / 2, 1e-12);                // the sampling is exact for what is linear
+  CHECK_NEAR(e.rms, std::sqrt(1. / 3), 1e-4);
+  CHECK_NEAR(e.max, 1., 1e-12);
+
+  const PMP::Approximation_error part = PMP::approximation_error(half, here);
+  CHECK_NEAR(part.max, 0., 1e-12);
+  const PMP::Approximation_error back = PMP::approximation_error(here, half);
+  CHECK_NEAR(back.mean, 1. / 8, 1e-12);
+  CHECK_NEAR(back.rms, std::sqrt(1. / 24), 1e-4);
+  CHECK_NEAR(back.max, 1. / 2, 1e-12);
+}
+
+// The mean of |x|^2 over a triangle of the unit sphere is (3 + |a + b + c|^2) / 12, and 1 - |x| is (1 - |x|^2) / 2 but
+// for a quarter of its square.
+double mean_of_inscribed_mesh(const Mesh& mesh)
+{
+  double sum = 0, sum_of_areas = 0;
+  for(Mesh::Face_index f : mesh.faces())
+  {
+    Vector corners = CGAL::NULL_VECTOR;
+    for(Mesh::Vertex_index v : vertices_around_face(mesh.halfedge(f), mesh))
+      corners = corners + (mesh.point(v) - CGAL::ORIGIN);
+    sum += area(mesh, f) * (1 - (3 + corners.squared_length()) / 12) / 2;
+    sum_of_areas += area(mesh, f);
+  }
+  return sum / sum_of_areas;
+}
+
+void test_inscribed_sphere()
+{
+  start_topic("a mesh inscribed in a sphere");
+  for(const int level : { 3, 4 })
+  {
+    const Mesh mesh = make_mesh(icosphere(level));
+    const double mean = mean_of_inscribed_mesh(mesh);
+    const PMP::Approximation_error e = PMP::approximation_error(mesh, Exact_sphere());
+    CHECK_NEAR(e.mean, mean, 0.01 * mean);
+    CHECK_AT_LEAST(e.rms, e.mean);
+    CHECK_AT_LEAST(e.max, e.rms);
+
+    // the limit, which the default is close to
+    const auto dense = CGAL::parameters::number_of_points_per_face(10000);
+    CHECK_NEAR(PMP::approximation_error(mesh, Exact_sphere(), dense).mean, mean, 0.003 * mean);
+  }
+}
+
+void test_number_of_points()
+{
+  start_topic("the number of points per face");
+  Mesh mesh;
+  const auto a = mesh.add_vertex(Point(0, 0, 0)), b = mesh.add_vertex(Point(3, 0, 0)), c = mesh.add_vertex(Point(0, 3, 0));
+  mesh.add_face(a, b, c);
+  const Mesh corner = moved(planar_patch(1), [](const Point& p) { return Point(-p.x(), -p.y(), 0); });
+
+  // the centroid of the face is at (1, 1); the vertices count for the maximum
+  using CGAL::parameters::number_of_points_per_face;
+  CHECK_NEAR(PMP::approximation_error(mesh, corner, number_of_points_per_face(1)).mean, std::sqrt(2.), 1e-12);
+  CHECK_NEAR(PMP::approximation_error(mesh, corner, number_of_points_per_face(1)).max, 3., 1e-12);
+  CHECK(PMP::approximation_error(mesh, corner, number_of_points_per_face(0)) ==
+        PMP::approximation_error(mesh, corner, number_of_points_per_face(1)));
+  CHECK(PMP::approximation_error(mesh, corner, number_of_points_per_face(17)) ==
+        PMP::approximation_error(mesh, corner, number_of_points_per_face(25)));
+  CHECK(PMP::approximation_error(mesh, corner) ==
+        PMP::approximation_error(mesh, corner, number_of_points_per_face(64)));
+}
+
+void test_error_maps()
+{
+  start_topic("the error maps");
+  Mesh mesh = moved(icosphere(3), [](const Point& p) { return Point(p.x(), 1.1 * p.y(), p.z()); });
+  const Mesh::Vertex_index isolated = mesh.add_vertex(Point(0, 0, 3));
+  auto face_errors = mesh.add_property_map<Mesh::Face_index, double>("f:error", -1).first;
+  auto vertex_errors = mesh.add_property_map<Mesh::Vertex_index, double>("v:error", -1).first;
+  const PMP::Approximation_error e = PMP::approximation_error(
+    mesh, Exact_sphere(),
+    CGAL::parameters::face_error_map(face_errors).vertex_error_map(vertex_errors).vertex_point_map(mesh.points()));
+
+  double sum_of_faces = 0, sum_of_vertices = 0, sum_of_areas = 0;
+  for(Mesh::Face_index f : mesh.faces())
+  {
+    sum_of_areas += area(mesh, f);
+    sum_of_faces += area(mesh, f) * face_errors[f];
+    for(Mesh::Vertex_index v : vertices_around_face(mesh.halfedge(f), mesh))
+      sum_of_vertices += area(mesh, f) / 3 * vertex_errors[v];
+    CHECK_AT_MOST(face_errors[f], e.max);
+    CHECK_AT_LEAST(face_errors[f], 0.);
+  }
+  CHECK_NEAR(sum_of_faces / sum_of_areas, e.mean, 1e-12);
+  CHECK_NEAR(sum_of_vertices / sum_of_areas, e.mean, 1e-12);
+  CHECK_NEAR(vertex_errors[isolated], 2., 1e-12);
+  CHECK_LESS(e.max, 0.2); // the isolated vertex is no part of the surface
+  CHECK(e == PMP::approximation_error(mesh, Exact_sphere()));
+}
+
+void test_threads()
+{
+  start_topic("any number of threads");
+  const Mesh mesh = moved(icosphere(3), [](const Point& p) { return rigid_motion(Point(p.x(), 1.1 * p.y(), p.z())); });
+  const Mesh reference = moved(icosphere(4), rigid_motion);
+  const PMP::Approximation_error e = PMP::approximation_error(mesh, reference);
+  const double angle = PMP::normal_deviation(mesh, reference);
+  CHECK_LESS(0., e.mean);
+#ifdef CGAL_LINKED_WITH_TBB
+  for(const int threads : { 1, 2, 5 })
+  {
+    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+    CHECK(e == PMP::approximation_error<CGAL::Parallel_tag>(mesh, reference));
+    CHECK_EQUAL(angle, PMP::normal_deviation<CGAL::Parallel_tag>(mesh, reference));
+  }
+#endif
+  CHECK(e == PMP::approximation_error<CGAL::Parallel_if_available_tag>(mesh, reference));
+  CHECK_EQUAL(angle, PMP::normal_deviation<CGAL::Parallel_if_available_tag>(mesh, reference));
+}
+
+void test_normal_deviation()
+{
+  start_topic("normals at a known angle");
+  const Mesh reference = moved(planar_patch(8), [](const Point& p) { return Point(3 * p.x() - 6, 3 * p.y() - 6, 0); });
+  // a plane that is turned by 30 degrees about the y-axis
+  const double turn = CGAL_PI / 6;
+  Mesh mesh = moved(planar_patch(4), [&](const Point& p)
+  {
+    return Point(std::cos(turn) * p.x(), p.y(), -std::sin(turn) * p.x());
+  });
+  CHECK_NEAR(PMP::normal_deviation(mesh, reference), 30., 1e-9);
+  CHECK_NEAR(PMP::normal_deviation(mesh, reference, CGAL::parameters::number_of_points_per_face(4)), 30., 1e-9);
+
+  // normals of the vertices, and of the corners: at 20 degrees, the other way and of any length
+  auto vertex_normals = mesh.add_property_map<Mesh::Vertex_index, Vector>("v:normal").first;
+  auto corner_normals = mesh.add_property_map<Mesh::Halfedge_index, Vector>("h:normal").first;
+  const Vector n(-std::sin(CGAL_PI / 9), 0, std::cos(CGAL_PI / 9));
+  for(Mesh::Vertex_index v : mesh.vertices())
+    vertex_normals[v] = 7 * n;
+  for(Mesh::Halfedge_index h : mesh.halfedges())
+    corner_normals[h] = mesh.is_border(h) ? Vector(0, 0, 0) : n;
+  CHECK_NEAR(PMP::normal_deviation(mesh, reference, vertex_normals), 20., 1e-9);
+  CHECK_NEAR(PMP::normal_deviation(mesh, Flat_surface(reference), corner_normals), 20., 1e-9);
+
+  // a face whose corners belong to different vertices in the two maps
+  Mesh triangle;
+  const std::array v{ triangle.add_vertex(Point(0, 0, 0)), triangle.add_vertex(Point(1, 0, 0)),
+                      triangle.add_vertex(Point(0, 1, 0)) };
+  const Mesh::Face_index f = triangle.add_face(v[0], v[1], v[2]);
+  auto of_vertices = triangle.add_property_map<Mesh::Vertex_index, Vector>("v:normal").first;
+  auto of_corners = triangle.add_property_map<Mesh::Halfedge_index, Vector>("h:normal").first;
+  of_vertices[v[0]] = Vector(1, 0, 1);
+  of_vertices[v[1]] = Vector(0, 1, 2);
+  of_vertices[v[2]] = Vector(0, -1, 3);
+  for(Mesh::Halfedge_index h : halfedges_around_face(triangle.halfedge(f), triangle))
+    of_corners[h] = of_vertices[triangle.target(h)];
+  CHECK_EQUAL(PMP::normal_deviation(triangle, reference, of_vertices),
+              PMP::normal_deviation(triangle, reference, of_corners));
+
+  // normals that vanish do not count
+  for(const auto& w : v)
+    of_vertices[w] = Vector(0, 0, 0);
+  CHECK_EQUAL(PMP::normal_deviation(triangle, reference, of_vertices), 0.);
+
+  // the normals of the sphere at the vertices of an inscribed mesh, interpolated, are nearly those of the sphere
+  Mesh sphere = make_mesh(icosphere(3));
+  auto sphere_normals = sphere.add_property_map<Mesh::Vertex_index, Vector>("v:normal").first;
+  for(Mesh::Vertex_index w : sphere.vertices())
+    sphere_normals[w] = sphere.point(w) - CGAL::ORIGIN;
+  CHECK_NEAR(PMP::normal_deviation(sphere, Exact_sphere(), sphere_normals), 0., 1e-6);
+}
+
+void test_degenerate_input()
+{
+  start_topic("degenerate input");
+  const Mesh plane = make_mesh(planar_patch(2));
+  CHECK(PMP::approximation_error(Mesh(), plane) == PMP::Approximation_error());
+  CHECK(PMP::approximation_error(Mesh(), Mesh()) == PMP::Approximation_error());
+  CHECK_EQUAL(PMP::normal_deviation(Mesh(), plane), 0.);
+
+  // a face without an area has a maximum, and a mean in the map
+  Mesh needle;
+  const Mesh::Face_index f = needle.add_face(needle.add_vertex(Point(0, 0, 1)), needle.add_vertex(Point(1, 0, 1)),
+                                             needle.add_vertex(Point(2, 0, 1)));
+  auto face_errors = needle.add_property_map<Mesh::Face_index, double>("f:error", -1).first;
+  const PMP::Approximation_error e =
+    PMP::approximation_error(needle, plane, CGAL::parameters::face_error_map(face_errors));
+  CHECK_EQUAL(e.mean, 0.);
+  CHECK_EQUAL(e.rms, 0.);
+  CHECK_NEAR(e.max, 1., 1e-12);
+  CHECK_NEAR(face_errors[f], 1., 1e-12);
+  CHECK_EQUAL(PMP::normal_deviation(needle, plane), 0.);
+  CHECK_NEAR(PMP::approximation_error(plane, needle).max, 3., 2.);
+
+  // coordinates so large that areas overflow
+  const Mesh huge = moved(planar_patch(2), [](const Point& p) { return Point(1e200 * p.x(), 1e200 * p.y(), 1); });
+  const PMP::Approximation_error h = PMP::approximation_error(huge, plane);
+  CHECK(!std::isnan(h.mean) && !std::isnan(h.rms) && !std::isnan(h.max));
+  CHECK(!std::isnan(PMP::normal_deviation(huge, plane)));
+
+#ifdef CGAL_NO_ASSERTIONS
+  // violated preconditions that are not checked
+  auto is_infinite = [](const PMP::Approximation_error& x)
+  {
+    return std::isinf(x.mean) && std::isinf(x.rms) && std::isinf(x.max);
+  };
+  const Mesh nan = moved(planar_patch(2), [](const Point& p) { return Point(p.x(), p.y(), std::nan("")); });
+  CHECK(is_infinite(PMP::approximation_error(plane, Mesh())));
+  CHECK(is_infinite(PMP::approximation_error(nan, plane)));
+  CHECK(is_infinite(PMP::approximation_error(plane, nan)));
+  CHECK_EQUAL(PMP::normal_deviation(nan, plane), 180.);
+#endif
+}
+
+// Models of CGAL, moved by a formula, against what an independent program says of them. The figures are relative to the
+// longest side of the bounding box.
+void test_models()
+{
+  start_topic("models of CGAL");
+  struct Figures { const char* name; double mean, rms, max; };
+  for(const Figures& figures : { Figures{ "armadillo", 57.0221e-4, 67.4302e-4, 169.259e-4 },
+                                 Figures{ "knot1", 54.3765e-4, 64.6299e-4, 165.232e-4 },
+                                 Figures{ "fandisk", 58.2218e-4, 66.2516e-4, 156.001e-4 } })
+  {
+    Mesh reference;
+    CHECK(CGAL::IO::read_polygon_mesh(CGAL::data_file_path(std::string("meshes/") + figures.name + ".off"), reference));
+    CGAL::Bbox_3 box;
+    for(const Point& p : reference.points())
+      box += p.bbox();
+    const double side = (std::max)({ box.x_span(), box.y_span(), box.z_span() });
+
+    Mesh mesh = reference;
+    for(Point& p : mesh.points())
+    {
+      const double x = p.x() / side, y = p.y() / side, z = p.z() / side;
+      p = p + 0.01 * side * Vector(std::sin(37 * y), std::sin(41 * z), std::sin(43 * x));
+    }
+    const PMP::Approximation_error e =
+      PMP::approximation_error<CGAL::Parallel_if_available_tag>(mesh, Flat_surface(reference));
+    CHECK_NEAR(e.mean / side, figures.mean, 0.01 * figures.mean);
+    CHECK_NEAR(e.rms / side, figures.rms, 0.01 * figures.rms);
+    CHECK_NEAR(e.max / side, figures.max, 0.01 * figures.max);
+  }
+}
+
+int main()
+{
+  test_parallel_planes();
+  test_translation();
+  test_inscribed_sphere();
+  test_number_of_points();
+  test_error_maps();
+  test_threads();
+  test_normal_deviation();
+  test_degenerate_input();
+  test_models();
+  return test_result();
+}

@@ -29,11 +29,11 @@ namespace Polygon_mesh_processing {
  * The construction takes \cgalBigO{n \log n} time for \f$ n \f$ faces, and a projection \cgalBigO{\log n} where the
  * query point is near the surface.
  *
- * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+ * \tparam TriangleMesh a model of `VertexListGraph`, `EdgeListGraph`, and `FaceListGraph`
  * \tparam GeomTraits a model of `Kernel`, whose points the surface receives and returns. The computations are done in
  *                    double precision. The default is the kernel of the points of `TriangleMesh`.
  *
- * \cgalModels `ReferenceSurface`
+ * \cgalModels{ReferenceSurface}
  *
  * \sa `CGAL::Polygon_mesh_processing::PN_triangle_surface`
  * \sa `CGAL::Polygon_mesh_processing::optimize_vertex_locations()`
@@ -67,6 +67,22 @@ public:
    *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
    *   \cgalParamNEnd
    *
+   *   \cgalParamNBegin{edge_is_constrained_map}
+   *     \cgalParamDescription{a property map containing the crease-or-not status of each edge of `tmesh`. Creases do not
+   *                           change the surface; they are what `optimize_vertex_locations()` fits constrained edges to
+   *                           if its parameter `relax_constraints` is `true`.}
+   *     \cgalParamType{a class model of `ReadablePropertyMap` with
+   *                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type}
+   *     \cgalParamDefault{the edges sharper than `sharpness_angle` are creases}
+   *     \cgalParamExtra{If both this map and `sharpness_angle` are given, an edge is a crease if one of them says so.}
+   *   \cgalParamNEnd
+   *
+   *   \cgalParamNBegin{sharpness_angle}
+   *     \cgalParamDescription{An edge is a crease if the normals of its two faces differ by more than this angle.}
+   *     \cgalParamType{a number type convertible to `double`, in degrees}
+   *     \cgalParamDefault{`45`}
+   *   \cgalParamNEnd
+   *
    *   \cgalParamNBegin{geom_traits}
    *     \cgalParamDescription{an instance of a geometric traits class}
    *     \cgalParamType{a class model of `Kernel`}
@@ -83,6 +99,13 @@ public:
                                  const ConcurrencyTag& = ConcurrencyTag())
     : Base(internal::vertex_location::make_reference_patches<internal::vertex_location::Flat_triangle, ConcurrencyTag>(tmesh, np))
   {}
+
+#ifdef DOXYGEN_RUNNING
+  /*!
+   * returns whether the surface has no face. Nothing can then be projected to it.
+   */
+  bool is_empty() const;
+#endif
 };
 
 } // namespace Polygon_mesh_processing

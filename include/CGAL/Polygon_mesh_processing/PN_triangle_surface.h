@@ -20,7 +20,7 @@ namespace Polygon_mesh_processing {
  *
  * \brief The class `PN_triangle_surface` is the smooth surface that the vertices and normals of a triangle mesh suggest.
  *
- * Each face of the mesh carries a curved PN triangle \cgalCite{cgal:vpbm-cpt-01}: a cubic Bézier triangle that
+ * Each face of the mesh carries a curved PN triangle \cgalCite{vpbm2001}: a cubic Bézier triangle that
  * interpolates the vertices and is orthogonal to the normals there, and a quadratic interpolation of the normals.
  * The normal at a corner of a face is the average of the normals of the faces around the vertex, weighted by their
  * angles, up to the next crease or border. Both sides of a crease share its curve, so that the surface has no gap.
@@ -31,11 +31,11 @@ namespace Polygon_mesh_processing {
  * The construction takes \cgalBigO{n \log n} time for \f$ n \f$ faces, and a projection \cgalBigO{\log n} where the
  * query point is near the surface.
  *
- * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+ * \tparam TriangleMesh a model of `VertexListGraph`, `EdgeListGraph`, and `FaceListGraph`
  * \tparam GeomTraits a model of `Kernel`, whose points the surface receives and returns. The computations are done in
  *                    double precision. The default is the kernel of the points of `TriangleMesh`.
  *
- * \cgalModels `ReferenceSurface`
+ * \cgalModels{ReferenceSurface}
  *
  * \sa `CGAL::Polygon_mesh_processing::Flat_triangle_surface`
  * \sa `CGAL::Polygon_mesh_processing::optimize_vertex_locations()`
@@ -99,6 +99,13 @@ public:
                                const ConcurrencyTag& = ConcurrencyTag())
     : Base(internal::vertex_location::make_reference_patches<internal::vertex_location::PN_triangle, ConcurrencyTag>(tmesh, np))
   {}
+
+#ifdef DOXYGEN_RUNNING
+  /*!
+   * returns whether the surface has no face. Nothing can then be projected to it.
+   */
+  bool is_empty() const;
+#endif
 };
 
 } // namespace Polygon_mesh_processing

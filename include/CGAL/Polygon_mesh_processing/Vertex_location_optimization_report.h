@@ -29,7 +29,8 @@ struct Vertex_location_optimization_report
   /// how far the vertex that moved farthest in the last iteration moved, in the unit of the input
   double displacement = 0;
 
-  /// the number of vertices whose moves were shortened, so that no face is flipped and nothing gets worse
+  /// the number of vertices whose moves were shortened, so that no face is flipped or collapses
+  /// and nothing gets worse; known at the end of the run
   std::size_t corrected_vertices = 0;
 };
 
@@ -44,7 +45,7 @@ enum Vertex_location_optimization_phase
   SAMPLE_REFERENCE,
   /// the vertices are fitted to the samples
   FIT_VERTICES,
-  /// the vertices are relaxed along the surface
+  /// the vertices are relaxed along the surface; nothing is done in it after the free iterations
   RELAX_VERTICES,
   /// moves that flip a face are shortened
   CORRECT_FLIPS
@@ -55,7 +56,7 @@ enum Vertex_location_optimization_phase
  *
  * \brief The default visitor of `CGAL::Polygon_mesh_processing::optimize_vertex_locations()`: it does nothing.
  *
- * \cgalModels `VertexLocationOptimizationVisitor`
+ * \cgalModels{VertexLocationOptimizationVisitor}
  */
 struct Vertex_location_optimization_default_visitor
 {

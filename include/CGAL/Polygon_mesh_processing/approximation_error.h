@@ -49,7 +49,7 @@ struct Approximation_error
  *        and its maximum.
  *
  * The distance \f$ e(x) \f$ of a point \f$ x \f$ of `tmesh` is that to the closest point of the reference; the mean is
- * \f$ \frac{1}{A} \int e(x)\,dx \f$ over the area \f$ A \f$ of `tmesh`, equation (5) of \cgalCite{cgal:vlo-12}. The
+ * \f$ \frac{1}{A} \int e(x)\,dx \f$ over the area \f$ A \f$ of `tmesh`, equation (5) of \cgalCite{vlo2012}. The
  * integral is taken as a sum over samples, which are spread evenly over each face; the maximum is that of the samples
  * and of the vertices of the faces.
  *
@@ -68,8 +68,8 @@ struct Approximation_error
  *
  * \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
  *                        `Parallel_tag`, and `Parallel_if_available_tag`.
- * \tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph`, and `VertexListGraph`
- * \tparam Reference a model of `FaceListGraph`, `HalfedgeListGraph`, and `VertexListGraph`, of any type, or a model of
+ * \tparam TriangleMesh a model of `VertexListGraph`, `EdgeListGraph`, and `FaceListGraph`
+ * \tparam Reference a model of `VertexListGraph`, `EdgeListGraph`, and `FaceListGraph`, of any type, or a model of
  *                   `ReferenceSurface`
  * \tparam NamedParameters1 a sequence of \ref bgl_namedparameters "Named Parameters"
  * \tparam NamedParameters2 a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -127,7 +127,7 @@ struct Approximation_error
  *
  * \pre `CGAL::is_triangle_mesh(tmesh)` and, if `reference` is a mesh, `CGAL::is_triangle_mesh(reference)`
  * \pre all coordinates are finite
- * \pre the reference has a face, unless `tmesh` has none
+ * \pre the reference has a face, unless `tmesh` has no vertex
  *
  * \return the error. Where `tmesh` has no area the mean and the root mean square are `0`, and so is the maximum if it
  *         has no face. If a precondition is violated and not checked, all three are infinite and the maps are untouched.
@@ -211,8 +211,8 @@ Approximation_error approximation_error(const TriangleMesh& tmesh,
  *
  * \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
  *                        `Parallel_tag`, and `Parallel_if_available_tag`.
- * \tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph`, and `VertexListGraph`
- * \tparam Reference a model of `FaceListGraph`, `HalfedgeListGraph`, and `VertexListGraph`, of any type, or a model of
+ * \tparam TriangleMesh a model of `VertexListGraph`, `EdgeListGraph`, and `FaceListGraph`
+ * \tparam Reference a model of `VertexListGraph`, `EdgeListGraph`, and `FaceListGraph`, of any type, or a model of
  *                   `ReferenceSurface`
  * \tparam NormalMap a class model of `ReadablePropertyMap` with `%Vector_3` as value type, and as key type
  *                   `boost::graph_traits<TriangleMesh>::%vertex_descriptor`, or
@@ -256,7 +256,7 @@ Approximation_error approximation_error(const TriangleMesh& tmesh,
  *
  * \pre `CGAL::is_triangle_mesh(tmesh)` and, if `reference` is a mesh, `CGAL::is_triangle_mesh(reference)`
  * \pre all coordinates are finite
- * \pre the reference has a face, unless `tmesh` has none
+ * \pre the reference has a face, unless `tmesh` has no vertex
  *
  * \return the mean angle in degrees. Where one of the two normals has no direction nothing is counted; `0` if nothing is
  *         counted at all. `180` if a precondition is violated and not checked.

@@ -11,6 +11,7 @@
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Self_intersection_test.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Vertex_location_optimizer.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/with_reference_surface.h>
+#include <CGAL/Polygon_mesh_processing/Placement_method.h>
 #include <CGAL/Polygon_mesh_processing/Vertex_location_optimization_report.h>
 
 #include <CGAL/assertions.h>
@@ -35,13 +36,15 @@ namespace Polygon_mesh_processing {
  *
  * Each iteration samples the reference at the vertices and at the midpoints of the edges, replaces each vertex by that
  * of the best piecewise linear fit to the samples around it, lets springs between neighbors keep the triangles regular,
- * and shortens moves that flip a face. It is Algorithm 1 of \cgalCite{cgal:vlo-12}; its equations (1) to (4) are those
+ * and shortens moves that flip a face. It is Algorithm 1 of \cgalCite{vlo2012}; its equations (1) to (4) are those
  * of the fit and of the springs.
  *
  * The result is never worse than the input: neither the mean nor the maximum distance of `tmesh` to the reference is
- * larger than before, and no face is flipped, that is, has turned by more than 60 degrees or opposes the reference where
- * it did not before. To that end the distance is sampled at the vertices, the midpoints of the edges and the barycenters
- * of the faces, and at 45 points of the faces that come near the maximum; moves are shortened where they do harm.
+ * larger than before; no face is flipped, that is, has turned by more than 60 degrees or opposes the reference where it
+ * did not before; and no face has collapsed, to a smallest angle below 10 degrees and below half of what it was. To that
+ * end the distance is sampled at the vertices, the midpoints of the edges and the barycenters of the faces, and at 45
+ * points of the faces that come near the maximum; moves are shortened where they do harm. The distance in the other
+ * direction, from the reference to `tmesh`, is not guaranteed.
  *
  * The result does not depend on the number of threads.
  *
@@ -49,8 +52,8 @@ namespace Polygon_mesh_processing {
  *
  * \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
  *                        `Parallel_tag`, and `Parallel_if_available_tag`.
- * \tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph`, and `VertexListGraph`
- * \tparam Reference a model of `FaceListGraph`, `HalfedgeListGraph`, and `VertexListGraph`, of any type, or a model of
+ * \tparam TriangleMesh a model of `VertexListGraph`, `EdgeListGraph`, and `FaceListGraph`
+ * \tparam Reference a model of `VertexListGraph`, `EdgeListGraph`, and `FaceListGraph`, of any type, or a model of
  *                   `ReferenceSurface`
  * \tparam NamedParameters1 a sequence of \ref bgl_namedparameters "Named Parameters"
  * \tparam NamedParameters2 a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -97,6 +100,22 @@ namespace Polygon_mesh_processing {
  *                           length of `tmesh`.}
  *     \cgalParamType{a number type convertible to `double`}
  *     \cgalParamDefault{`1e-6`}
+ *   \cgalParamNEnd
+ *
+ *   \cgalParamNBegin{placement_method}
+ *     \cgalParamDescription{how a vertex is placed among its samples}
+ *     \cgalParamType{`Placement_method`}
+ *     \cgalParamDefault{`PIECEWISE_LINEAR`}
+ *   \cgalParamNEnd
+ *
+ *   \cgalParamNBegin{regularity_weight}
+ *     \cgalParamDescription{with `LEAST_SQUARES`, the weight of the regularity of the triangles beside their error; less
+ *                           of it gives less error and less regular triangles}
+ *     \cgalParamType{a number type convertible to `double`}
+ *     \cgalParamDefault{`0.1`}
+ *     \cgalParamExtra{The springs of `PIECEWISE_LINEAR` have no weight: see `number_of_relaxation_steps`. With
+ *                     `LEAST_SQUARES` only the vertices of constrained edges have springs, and the free iterations are
+ *                     theirs alone.}
  *   \cgalParamNEnd
  *
  *   \cgalParamNBegin{number_of_relaxation_steps}
@@ -162,7 +181,7 @@ namespace Polygon_mesh_processing {
  *
  * \pre `CGAL::is_triangle_mesh(tmesh)` and, if `reference` is a mesh, `CGAL::is_triangle_mesh(reference)`
  * \pre all coordinates are finite
- * \pre the reference has a face, unless `tmesh` has none
+ * \pre the reference has a face, unless `tmesh` has no vertex
  *
  * \return what was done. If a precondition is violated and not checked, `tmesh` is untouched and the report says that
  *         there was no iteration.
@@ -203,6 +222,10 @@ optimize_vertex_locations(TriangleMesh& tmesh,
     choose_parameter(get_parameter(np1, internal_np::number_of_relaxation_steps), options.number_of_relaxation_steps);
   options.convergence_threshold =
     to_double(choose_parameter(get_parameter(np1, internal_np::convergence_threshold), options.convergence_threshold));
+  options.placement_method =
+    choose_parameter(get_parameter(np1, internal_np::placement_method), options.placement_method);
+  options.regularity_weight =
+    to_double(choose_parameter(get_parameter(np1, internal_np::regularity_weight), options.regularity_weight));
 
   Mesh_descriptors<TriangleMesh> descriptors;
   Mesh_arrays mesh = make_mesh_arrays(tmesh, vpm, descriptors);

@@ -29,7 +29,7 @@ namespace Polygon_mesh_processing {
  * A renderer interpolates the normals of the vertices. The normals of the faces around a vertex give poor ones where the
  * mesh is coarse, and those of the reference at the vertices are on average too much curved. This function fits a
  * piecewise linear function to the normals of the reference at the vertices and at the midpoints of the edges, as
- * `optimize_vertex_locations()` does for the points \cgalCite{cgal:vlo-12}. It is best called after that function.
+ * `optimize_vertex_locations()` does for the points \cgalCite{vlo2012}. It is best called after that function.
  *
  * At an edge that `edge_is_constrained_map` marks, a crease, each face takes the normals of its own side. The faces
  * around a vertex are in sectors, which creases and borders end; each sector has a normal of its own. A map of the
@@ -43,8 +43,8 @@ namespace Polygon_mesh_processing {
  *
  * \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
  *                        `Parallel_tag`, and `Parallel_if_available_tag`.
- * \tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph`, and `VertexListGraph`
- * \tparam Reference a model of `FaceListGraph`, `HalfedgeListGraph`, and `VertexListGraph`, of any type, or a model of
+ * \tparam TriangleMesh a model of `VertexListGraph`, `EdgeListGraph`, and `FaceListGraph`
+ * \tparam Reference a model of `VertexListGraph`, `EdgeListGraph`, and `FaceListGraph`, of any type, or a model of
  *                   `ReferenceSurface`
  * \tparam NormalMap a class model of `WritablePropertyMap` with `%Vector_3` as value type, and as key type
  *                   `boost::graph_traits<TriangleMesh>::%vertex_descriptor`, or

@@ -21,6 +21,8 @@ namespace vertex_location {
 // Barycentric coordinates of a point of a triangle with respect to its corners 1 and 2; that of corner 0 is 1 - u - v.
 struct Coordinates
 {
+  std::array<double, 3> barycentric() const { return { 1 - u - v, u, v }; }
+
   double u = 1. / 3.;
   double v = 1. / 3.;
 };
@@ -86,6 +88,7 @@ public:
   Bbox_3 bbox() const { return m_corners[0].bbox() + m_corners[1].bbox() + m_corners[2].bbox(); }
   Point reference_point() const { return point(Coordinates()); }
 
+  double area() const { return norm(area_normal(m_corners[0], m_corners[1], m_corners[2])) / 2; }
   Point point(const Coordinates& x) const { return point_at(m_corners, x); }
   Vector normal(const Coordinates&) const
   {

@@ -68,6 +68,9 @@ struct Optimization_state
     return squared_distance(targets[i], mesh.points[i]) <= square(1e-9 * mean_edge_length);
   }
 
+  // by how much a foot may be farther away than the closest point
+  double foot_tolerance() const { return 0.01 * mean_edge_length; }
+
   Mesh_arrays mesh;                      // M_t, with the points v_i
   Constraints constraints;
   std::vector<Point> initial_points;     // of M_0

@@ -88,6 +88,7 @@ public:
 
   const Bbox_3& bbox() const { return m_bbox; }
   Point reference_point() const { return point(Coordinates()); }
+  double area() const { return norm(area_normal(m_corners[0], m_corners[1], m_corners[2])) / 2; } // of the flat triangle
   Point point(const Coordinates& x) const { return evaluate(x).point; }
 
   // the quadratic normal; where it vanishes that of the cubic patch

@@ -14,6 +14,7 @@
 #include <CGAL/Kernel_traits.h>
 
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Polygon_mesh_processing {
@@ -56,6 +57,9 @@ public:
 
   // the closest point near `hint`, see `Reference_patches::walk()`; not part of the concept
   Foot project_near(const Point_3& query, const Foot& hint) const { return m_patches.walk(convert<Point>(query), hint); }
+
+  // samples of the surface with their areas, see `Reference_patches::area_samples()`; not part of the concept
+  std::vector<std::pair<Foot, double>> area_samples(std::size_t n) const { return m_patches.area_samples(n); }
 
   // the creases and borders; not part of the concept
   const Feature_curves& feature_curves() const { return m_patches.curves; }

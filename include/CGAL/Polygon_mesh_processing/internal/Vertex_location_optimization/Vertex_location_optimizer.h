@@ -8,10 +8,12 @@
 
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/correct_flips.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Feature_edges.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/fit_least_squares.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/fit_piecewise_linear.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/relax_springs.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/sample_reference.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/take_back_harm.h>
+#include <CGAL/Polygon_mesh_processing/Placement_method.h>
 #include <CGAL/Polygon_mesh_processing/Vertex_location_optimization_report.h>
 
 #include <algorithm>
@@ -35,6 +37,8 @@ struct Options
   std::size_t number_of_free_iterations = 20;
   std::size_t number_of_relaxation_steps = 1;
   double convergence_threshold = 1e-6; // relative to the mean edge length
+  Placement_method placement_method = PIECEWISE_LINEAR;
+  double regularity_weight = 0.1;      // of LEAST_SQUARES
 };
 
 // Algorithm 1: moves the vertices of the mesh in `state` to where its faces approximate `reference` best. `AllowMove` is
@@ -76,37 +80,64 @@ private:
   // one iteration; false if the visitor stopped it
   bool iterate()
   {
-    const bool is_free = m_report.iterations < m_options.number_of_free_iterations;
-
     if(!start_phase(SAMPLE_REFERENCE))
       return false;
-    sample_reference<ConcurrencyTag>(m_reference, m_state, m_report.iterations == 0,
-                                     m_report.iterations + 1 == m_options.number_of_iterations);
-    m_feature_edges.sample<ConcurrencyTag>(m_state);
+    sample();
 
     if(!start_phase(FIT_VERTICES))
       return false;
-    fit_piecewise_linear<ConcurrencyTag>(m_state, !is_free);
-    m_feature_edges.fit<ConcurrencyTag>(m_state, !is_free);
+    fit();
 
-    // once only the part along the normal is taken, nothing moves a vertex along the surface
-    if(is_free)
-    {
-      if(!start_phase(RELAX_VERTICES))
-        return false;
-      relax_springs<ConcurrencyTag>(m_state, m_options.number_of_relaxation_steps);
-      m_feature_edges.relax(m_state, m_options.number_of_relaxation_steps);
-    }
+    if(!start_phase(RELAX_VERTICES))
+      return false;
+    relax();
 
     if(!start_phase(CORRECT_FLIPS))
       return false;
+    correct();
+
+    move_vertices();
+    return true;
+  }
+
+  // vertices move freely; later only along the normal
+  bool is_free() const { return m_report.iterations < m_options.number_of_free_iterations; }
+
+  void sample()
+  {
+    const bool is_first = m_report.iterations == 0;
+    const bool is_last = m_report.iterations + 1 == m_options.number_of_iterations;
+    sample_reference<ConcurrencyTag>(m_reference, m_state, is_first, is_last);
+    if(m_options.placement_method == LEAST_SQUARES)
+      sample_both_surfaces<ConcurrencyTag>(m_reference, m_state, is_first, is_last, m_samples);
+    m_feature_edges.sample<ConcurrencyTag>(m_state);
+  }
+
+  void fit()
+  {
+    if(m_options.placement_method == LEAST_SQUARES)
+      fit_least_squares<ConcurrencyTag>(m_state, m_samples, m_options.regularity_weight);
+    else
+      fit_piecewise_linear<ConcurrencyTag>(m_state, !is_free());
+    m_feature_edges.fit<ConcurrencyTag>(m_state, !is_free());
+  }
+
+  // Once only the part along the normal is taken nothing moves a vertex along the surface.
+  void relax()
+  {
+    if(!is_free())
+      return;
+    if(m_options.placement_method == PIECEWISE_LINEAR)
+      relax_springs<ConcurrencyTag>(m_state, m_options.number_of_relaxation_steps);
+    m_feature_edges.relax(m_state, m_options.number_of_relaxation_steps);
+  }
+
+  void correct()
+  {
     keep_non_finite_targets_away();
     do
       correct_flips<ConcurrencyTag>(m_state, m_is_shortened);
     while(refuse_moves(m_state.mesh.points));
-
-    move_vertices();
-    return true;
   }
 
   bool start_phase(Vertex_location_optimization_phase phase)
@@ -164,6 +195,7 @@ private:
   const FindSelfIntersections& m_find_self_intersections;
   Visitor& m_visitor;
   Feature_edges m_feature_edges;
+  Two_sided_samples<typename ReferenceSurface::Foot> m_samples; // of LEAST_SQUARES
   std::vector<char> m_is_shortened;
   Vertex_location_optimization_report m_report;
 };

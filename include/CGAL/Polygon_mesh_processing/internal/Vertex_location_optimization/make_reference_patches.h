@@ -112,6 +112,36 @@ struct Reference_patches
     return foot;
   }
 
+  // About `n` points spread evenly over the surface, and the area for which each of them stands. The patches are in
+  // an order in which neighbors follow each other: points at equal steps of the area are spread over the surface; those
+  // in one patch follow a sequence of low discrepancy.
+  std::vector<std::pair<Patch_foot, double>> area_samples(const std::size_t n) const
+  {
+    double total = 0;
+    for(Index i = 0; i < neighbors.size(); ++i)
+      total += tree.patch(i).area();
+    const double step = total / n;
+    std::vector<std::pair<Patch_foot, double>> samples;
+    if(!(step > 0))
+      return samples;
+
+    double passed = 0;
+    for(Index i = 0; i < neighbors.size(); ++i)
+      for(passed += tree.patch(i).area(); (samples.size() + 0.5) * step < passed && samples.size() < n; )
+      {
+        double integer_part;
+        double u = std::modf(0.5 + 0.7548776662466927 * samples.size(), &integer_part);
+        double v = std::modf(0.5 + 0.5698402909980532 * samples.size(), &integer_part);
+        if(u + v > 1)
+        {
+          u = 1 - u;
+          v = 1 - v;
+        }
+        samples.push_back({ { i, { u, v } }, step });
+      }
+    return samples;
+  }
+
   Patch_tree<Patch> tree;
   std::vector<std::array<Index, 3>> neighbors; // the corner on the other side of the side opposite to each corner
   Feature_curves curves;
@@ -120,7 +150,7 @@ private:
   bool step_to_neighbor(const Point& query, Patch_foot& foot, double& distance) const
   {
     constexpr double on_side = 1e-12;
-    const std::array<double, 3> lambda{ 1 - foot.coordinates.u - foot.coordinates.v, foot.coordinates.u, foot.coordinates.v };
+    const std::array<double, 3> lambda = foot.coordinates.barycentric();
     for(Index k = 0; k < 3; ++k)
     {
       const Index corner = neighbors[foot.patch][k];

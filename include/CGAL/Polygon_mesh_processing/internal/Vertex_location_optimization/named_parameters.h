@@ -16,6 +16,7 @@ namespace internal_np {
 enum number_of_free_iterations_t { number_of_free_iterations };
 enum convergence_threshold_t { convergence_threshold };
 enum placement_method_t { placement_method };
+enum regularity_weight_t { regularity_weight };
 enum face_error_map_t { face_error_map };
 enum vertex_error_map_t { vertex_error_map };
 } // namespace internal_np
@@ -42,6 +43,7 @@ struct Vertex_location_named_parameters
   CGAL_VERTEX_LOCATION_named_parameter(number_of_free_iterations)
   CGAL_VERTEX_LOCATION_named_parameter(convergence_threshold)
   CGAL_VERTEX_LOCATION_named_parameter(placement_method)
+  CGAL_VERTEX_LOCATION_named_parameter(regularity_weight)
   CGAL_VERTEX_LOCATION_named_parameter(face_error_map)
   CGAL_VERTEX_LOCATION_named_parameter(vertex_error_map)
   CGAL_VERTEX_LOCATION_named_parameter(sharpness_angle)
@@ -70,6 +72,7 @@ namespace parameters {
 CGAL_VERTEX_LOCATION_named_parameter(number_of_free_iterations)
 CGAL_VERTEX_LOCATION_named_parameter(convergence_threshold)
 CGAL_VERTEX_LOCATION_named_parameter(placement_method)
+CGAL_VERTEX_LOCATION_named_parameter(regularity_weight)
 CGAL_VERTEX_LOCATION_named_parameter(face_error_map)
 CGAL_VERTEX_LOCATION_named_parameter(vertex_error_map)
 #undef CGAL_VERTEX_LOCATION_named_parameter

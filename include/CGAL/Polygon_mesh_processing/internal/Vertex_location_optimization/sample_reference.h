@@ -54,21 +54,18 @@ Point update_foot(const ReferenceSurface& reference,
 }
 
 // Section 3.1: takes p_i and n_i from the reference at the foot of each vertex, m_ij at the foot of the midpoint of each
-// edge. `tolerance` says by how much a foot may be farther away than the closest point, see `update_foot()`; the feet of
-// the first iteration and, if `exact`, of this one are the closest points.
+// edge. The feet may be farther away than the closest points by a tolerance, see `update_foot()`, but not in the first
+// iteration nor if `is_exact`.
 template <typename ConcurrencyTag, typename ReferenceSurface>
 void sample_reference(const ReferenceSurface& reference,
                       Optimization_state<typename ReferenceSurface::Foot>& state,
                       const bool is_first,
                       const bool is_exact)
 {
-  // relative to the mean edge length
-  constexpr double relative_tolerance = 0.01;
-
   using Reference_point = typename ReferenceSurface::Point_3;
   const Mesh_arrays& mesh = state.mesh;
   const std::vector<Point>& previous_points = state.targets;
-  const double tolerance = is_exact ? 0 : relative_tolerance * state.mean_edge_length;
+  const double tolerance = is_exact ? 0 : state.foot_tolerance();
 
   for_each_index<ConcurrencyTag>(mesh.points.size(), [&](std::size_t i)
   {

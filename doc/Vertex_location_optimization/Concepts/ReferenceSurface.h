@@ -1,0 +1,73 @@
+/*!
+ * \ingroup PkgVertexLocationOptimizationConcepts
+ * \cgalConcept
+ *
+ * The concept `ReferenceSurface` describes the surface that a remesh approximates: it finds the point of the surface
+ * that is closest to a given point, and tells the position and the normal there.
+ *
+ * A *foot* stands for a point of the surface. What it consists of, for example a patch and coordinates in the patch, is
+ * the model's own business. The algorithms of this package keep the feet of the vertices from iteration to iteration and
+ * give them back as hints, so that a search need not start from scratch.
+ *
+ * The functions are called from several threads at the same time when a function of this package is called with
+ * `CGAL::Parallel_tag`.
+ *
+ * A class with a nested type `Foot` is taken for a model of this concept, another one for a triangle mesh.
+ *
+ * \cgalHasModelsBegin
+ * \cgalHasModels{CGAL::Polygon_mesh_processing::PN_triangle_surface}
+ * \cgalHasModels{CGAL::Polygon_mesh_processing::Flat_triangle_surface}
+ * \cgalHasModelsEnd
+ *
+ * \sa `CGAL::Polygon_mesh_processing::optimize_vertex_locations()`
+ */
+class ReferenceSurface
+{
+public:
+  /// \name Types
+  /// @{
+
+  /*!
+   * The point type of a \cgal kernel. The functions of this package convert their points, whose type may be another one,
+   * by way of `double`.
+   */
+  typedef unspecified_type Point_3;
+
+  /*!
+   * The vector type of a \cgal kernel.
+   */
+  typedef unspecified_type Vector_3;
+
+  /*!
+   * Where a point of the surface is. A model of `DefaultConstructible`, `CopyConstructible` and `CopyAssignable`.
+   */
+  typedef unspecified_type Foot;
+
+  /// @}
+
+  /// \name Operations
+  /// @{
+
+  /*!
+   * returns the foot of `query`: the point of the surface with the smallest Euclidean distance to it.
+   */
+  Foot project(const Point_3& query) const;
+
+  /*!
+   * returns the foot of `query` as above. `hint` is a foot that a call of `project()` for some other point returned, most
+   * often one nearby. It may make the search faster, and must not change the distance that is found.
+   */
+  Foot project(const Point_3& query, const Foot& hint) const;
+
+  /*!
+   * returns the point of the surface that `foot` stands for.
+   */
+  Point_3 point(const Foot& foot) const;
+
+  /*!
+   * returns the normal of the surface there: a vector of length 1, or the null vector where the surface has no normal.
+   */
+  Vector_3 normal(const Foot& foot) const;
+
+  /// @}
+};

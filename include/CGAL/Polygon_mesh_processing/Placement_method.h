@@ -1,0 +1,31 @@
+// Copyright (c) 2026 The Vertex_location_optimization authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POLYGON_MESH_PROCESSING_PLACEMENT_METHOD_H
+#define CGAL_POLYGON_MESH_PROCESSING_PLACEMENT_METHOD_H
+
+namespace CGAL {
+namespace Polygon_mesh_processing {
+
+/*!
+ * \ingroup PkgVertexLocationOptimizationRef
+ *
+ * \brief How `CGAL::Polygon_mesh_processing::optimize_vertex_locations()` places a vertex among its samples.
+ */
+enum Placement_method
+{
+  /// the paper's method: the piecewise linear surface closest to samples of the reference at the vertices and at the
+  /// midpoints of the edges, with springs that keep the triangles regular
+  PIECEWISE_LINEAR,
+  /// a point-to-plane least squares fit to samples of both surfaces, with the regularity as a term of the fit. Samples of
+  /// the reference bring back thin parts and creases that the remesh misses. Only `PN_triangle_surface` and
+  /// `Flat_triangle_surface` are sampled; with another model of `ReferenceSurface` the fit sees the remesh's samples alone.
+  LEAST_SQUARES
+};
+
+} // namespace Polygon_mesh_processing
+} // namespace CGAL
+
+#endif // CGAL_POLYGON_MESH_PROCESSING_PLACEMENT_METHOD_H

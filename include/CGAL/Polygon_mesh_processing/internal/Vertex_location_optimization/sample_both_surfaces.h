@@ -1,0 +1,185 @@
+// Copyright (c) 2026 The Vertex_location_optimization authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_SAMPLE_BOTH_SURFACES_H
+#define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_SAMPLE_BOTH_SURFACES_H
+
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Patch_tree.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/sample_reference.h>
+
+#include <algorithm>
+#include <array>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Polygon_mesh_processing {
+namespace internal {
+namespace vertex_location {
+
+// A point of the reference that stands for an area of it, and the closest point of the remesh.
+struct Reference_sample
+{
+  Point point;
+  Vector normal;
+  double area;
+  Patch_foot foot; // the face of the remesh and the coordinates in it
+};
+
+// What the least squares fit takes beside the samples of the piecewise linear one: the reference's normals at the
+// midpoints, samples at the barycenters of the faces, and samples of the reference itself.
+template <typename Foot>
+struct Two_sided_samples
+{
+  std::vector<Vector> midpoint_normals;
+  std::vector<Point> barycenter_samples;
+  std::vector<Vector> barycenter_normals;
+  std::vector<Foot> barycenter_feet;
+  std::vector<double> barycenter_distance_bounds;
+
+  std::vector<Reference_sample> of_reference;
+  std::vector<Index> first_of_face; // those of face f are of_reference[by_face[first_of_face[f]]], ...,
+  std::vector<Index> by_face;       // of_reference[by_face[first_of_face[f + 1] - 1]]
+};
+
+template <typename Surface, typename = void>
+struct Has_area_samples : std::false_type {};
+
+template <typename Surface>
+struct Has_area_samples<Surface, std::void_t<decltype(std::declval<const Surface&>().area_samples(std::size_t()))>>
+  : std::true_type {};
+
+// Samples the reference, four points for a face of the remesh, if its type can be sampled.
+template <typename ReferenceSurface, typename Foot>
+void choose_reference_samples(const ReferenceSurface& reference,
+                              const std::size_t number_of_faces,
+                              Two_sided_samples<Foot>& samples)
+{
+  if constexpr(Has_area_samples<ReferenceSurface>::value)
+    for(const auto& [foot, area] : reference.area_samples(4 * number_of_faces))
+      samples.of_reference.push_back({ convert<Point>(reference.point(foot)), convert<Vector>(reference.normal(foot)),
+                                       area, Patch_foot() });
+}
+
+// Walks from face to face of the remesh as long as that leads closer to `query`: from a foot on the boundary of its face
+// to the faces around.
+template <typename Foot>
+void walk_on_remesh(const Optimization_state<Foot>& state, const Point& query, Patch_foot& foot)
+{
+  constexpr double on_boundary = 1e-12;
+  const Mesh_arrays& mesh = state.mesh;
+  foot.coordinates = closest_on_triangle(mesh.triangle(foot.patch), query);
+  double distance = squared_distance(query, point_at(mesh.triangle(foot.patch), foot.coordinates));
+  for(bool is_closer = true; is_closer; )
+  {
+    is_closer = false;
+    const std::array<double, 3> lambda = foot.coordinates.barycentric();
+    if(*std::min_element(lambda.begin(), lambda.end()) > on_boundary)
+      return;
+    const std::array<Index, 3> face = mesh.faces[foot.patch];
+    for(int k = 0; k < 3; ++k)
+      if(lambda[k] > on_boundary)
+        state.for_each_corner(face[k], [&](Index c)
+        {
+          const std::array<Point, 3> t = mesh.triangle(c / 3);
+          const Coordinates x = closest_on_triangle(t, query);
+          const double d = squared_distance(query, point_at(t, x));
+          if(d < distance)
+          {
+            distance = d;
+            foot = { c / 3, x };
+            is_closer = true;
+          }
+        });
+  }
+}
+
+// Finds the closest points of the remesh to the samples of the reference, in the first iteration with a tree, then from
+// the last closest points, and groups the samples by the faces.
+template <typename ConcurrencyTag, typename Foot>
+void project_reference_samples(const Optimization_state<Foot>& state, const bool is_first, Two_sided_samples<Foot>& samples)
+{
+  const Mesh_arrays& mesh = state.mesh;
+  std::vector<Reference_sample>& of_reference = samples.of_reference;
+  if(is_first)
+  {
+    std::vector<Flat_triangle> triangles(mesh.faces.size());
+    for(std::size_t f = 0; f < mesh.faces.size(); ++f)
+      triangles[f] = Flat_triangle(mesh.triangle(f));
+    const Patch_tree<Flat_triangle> tree(std::move(triangles));
+    for_each_index<ConcurrencyTag>(of_reference.size(), [&](std::size_t i)
+    {
+      of_reference[i].foot = tree.project(of_reference[i].point);
+    });
+  }
+  else
+    for_each_index<ConcurrencyTag>(of_reference.size(), [&](std::size_t i)
+    {
+      walk_on_remesh(state, of_reference[i].point, of_reference[i].foot);
+    });
+
+  samples.first_of_face.assign(mesh.faces.size() + 1, 0);
+  for(const Reference_sample& sample : of_reference)
+    ++samples.first_of_face[sample.foot.patch + 1];
+  for(std::size_t f = 0; f < mesh.faces.size(); ++f)
+    samples.first_of_face[f + 1] += samples.first_of_face[f];
+  samples.by_face.resize(of_reference.size());
+  std::vector<Index> end(samples.first_of_face.begin(), samples.first_of_face.end() - 1);
+  for(Index i = 0; i < of_reference.size(); ++i)
+    samples.by_face[end[of_reference[i].foot.patch]++] = i;
+}
+
+// Takes the samples of both surfaces. Those at the vertices and midpoints are in `state` already.
+template <typename ConcurrencyTag, typename ReferenceSurface>
+void sample_both_surfaces(const ReferenceSurface& reference,
+                          const Optimization_state<typename ReferenceSurface::Foot>& state,
+                          const bool is_first,
+                          const bool is_exact,
+                          Two_sided_samples<typename ReferenceSurface::Foot>& samples)
+{
+  const Mesh_arrays& mesh = state.mesh;
+  if(is_first)
+  {
+    samples.midpoint_normals.resize(mesh.edges.size());
+    samples.barycenter_samples.resize(mesh.faces.size());
+    samples.barycenter_normals.resize(mesh.faces.size());
+    samples.barycenter_feet.resize(mesh.faces.size());
+    samples.barycenter_distance_bounds.assign(mesh.faces.size(), -1);
+    choose_reference_samples(reference, mesh.faces.size(), samples);
+  }
+
+  for_each_index<ConcurrencyTag>(mesh.edges.size(), [&](std::size_t e)
+  {
+    samples.midpoint_normals[e] = convert<Vector>(reference.normal(state.midpoint_feet[e]));
+  });
+
+  const std::vector<Point>& previous_points = state.targets;
+  const double tolerance = is_first || is_exact ? 0 : state.foot_tolerance();
+  for_each_index<ConcurrencyTag>(mesh.faces.size(), [&](std::size_t f)
+  {
+    auto& foot = samples.barycenter_feet[f];
+    if(is_first)
+      foot = state.midpoint_feet[mesh.face_edges[f][0]];
+    const std::array<Index, 3>& v = mesh.faces[f];
+    const Point query = centroid(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]]);
+    const Point previous = centroid(previous_points[v[0]], previous_points[v[1]], previous_points[v[2]]);
+    samples.barycenter_samples[f] = update_foot(reference, query, norm(query - previous), tolerance, foot,
+                                                samples.barycenter_distance_bounds[f]);
+    samples.barycenter_normals[f] = convert<Vector>(reference.normal(foot));
+  });
+
+  if(!samples.of_reference.empty())
+    project_reference_samples<ConcurrencyTag>(state, is_first, samples);
+  else
+    samples.first_of_face.assign(mesh.faces.size() + 1, 0);
+}
+
+} // namespace vertex_location
+} // namespace internal
+} // namespace Polygon_mesh_processing
+} // namespace CGAL
+
+#endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_SAMPLE_BOTH_SURFACES_H

@@ -8,8 +8,7 @@
 
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/sample_both_surfaces.h>
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
+#include <CGAL/Default_diagonalize_traits.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,41 +19,52 @@ namespace Polygon_mesh_processing {
 namespace internal {
 namespace vertex_location {
 
-// The normal equations of a vertex: H d = g for its displacement d.
+// The normal equations of a vertex, H d = g, for its displacement d.
 class Normal_equations
 {
+  using Diagonalize_traits = Default_diagonalize_traits<double, 3>;
+
 public:
   // A row: the surfaces agree in the direction `n` if the point that takes the part `lambda` in the displacement moves
   // by `residual`.
   void add_row(const double weight, const double lambda, const Vector& n, const double residual)
   {
-    const Eigen::Vector3d m(n.x(), n.y(), n.z());
-    m_H += (weight * lambda * lambda) * m * m.transpose();
-    m_g += (weight * lambda * residual) * m;
+    const double w = weight * lambda * lambda;
+    m_H[0] += w * n.x() * n.x();
+    m_H[1] += w * n.x() * n.y();
+    m_H[2] += w * n.x() * n.z();
+    m_H[3] += w * n.y() * n.y();
+    m_H[4] += w * n.y() * n.z();
+    m_H[5] += w * n.z() * n.z();
+    m_g = m_g + (weight * lambda * residual) * n;
   }
 
-  // Pulls the vertex by `pull` along the surface: orthogonally to the direction in which the rows say most.
-  void add_tangential_pull(const double weight, const Vector& pull)
+  // The solution if the vertex is pulled, too, in the directions in which the rows say little: along a smooth surface,
+  // but not across a crease. `epsilon` is small beside the weights and keeps the system regular.
+  Vector solve(const Vector& pull, const double pull_weight, const double epsilon) const
   {
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(m_H);
-    const Eigen::Vector3d normal = eigen.eigenvectors().col(2); // of the largest eigenvalue
-    const Eigen::Matrix3d tangential = Eigen::Matrix3d::Identity() - normal * normal.transpose();
-    m_H += weight * tangential;
-    m_g += weight * tangential * Eigen::Vector3d(pull.x(), pull.y(), pull.z());
+    Diagonalize_traits::Vector h; // the eigenvalues, in increasing order
+    Diagonalize_traits::Matrix e;
+    if(!Diagonalize_traits::diagonalize_selfadjoint_covariance_matrix(m_H, h, e) || !(h[2] > 0))
+      return NULL_VECTOR;
+
+    // a direction about which the rows say a quarter of what they say about the best known one is not pulled
+    constexpr double softness = 4;
+    Vector d = NULL_VECTOR;
+    for(int k = 0; k < 3; ++k)
+    {
+      const Vector direction(e[3 * k], e[3 * k + 1], e[3 * k + 2]);
+      const double weight = pull_weight * (1 - (std::min)(1., softness * h[k] / h[2]));
+      d = d + ((m_g * direction + weight * (pull * direction)) / (h[k] + weight + epsilon)) * direction;
+    }
+    return d;
   }
 
-  // `regularization` is small beside the weights
-  Vector solve(const double regularization) const
-  {
-    const Eigen::Vector3d d = (m_H + regularization * Eigen::Matrix3d::Identity()).ldlt().solve(m_g);
-    return Vector(d[0], d[1], d[2]);
-  }
-
-  double right_hand_side() const { return m_g.norm(); }
+  const Vector& right_hand_side() const { return m_g; }
 
 private:
-  Eigen::Matrix3d m_H = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d m_g = Eigen::Vector3d::Zero();
+  Diagonalize_traits::Covariance_matrix m_H{ { 0, 0, 0, 0, 0, 0 } }; // the upper triangle, row by row
+  Vector m_g = NULL_VECTOR;
 };
 
 // Adds the rows of the samples in the face of the corner c at vertex i. With the weights 1/20 at the vertices, 2/15 at
@@ -145,11 +155,11 @@ void fit_least_squares(Optimization_state<Foot>& state,
       area += area_of_face;
       ++number_of_faces;
     });
-    if(!(area > 0) || equations.right_hand_side() <= 1e-9 * area * state.mean_edge_length)
+    if(!(area > 0) || norm(equations.right_hand_side()) <= 1e-9 * area * state.mean_edge_length)
       return;
 
-    equations.add_tangential_pull(regularity_weight * area / 2, pull / (2. * number_of_faces));
-    const Vector step = relaxation * equations.solve(1e-9 * area) + momentum * last_step;
+    const Vector d = equations.solve(pull / (2. * number_of_faces), regularity_weight * area / 2, 1e-9 * area);
+    const Vector step = relaxation * d + momentum * last_step;
     const double length = norm(step), limit = max_step * state.mean_edge_length;
     state.targets[i] = v + (length > limit ? (limit / length) * step : step);
   });

@@ -1,0 +1,47 @@
+#!/usr/bin/env bash
+# Makes the pictures in doc/Vertex_location_optimization/fig/ with the examples:
+#
+#   bash doc/Vertex_location_optimization/make_figures.sh
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/../../cmake/setup.sh"
+source "$root/examples/pictures.sh"
+
+need_packages "${base_packages[@]}" "${picture_packages[@]}"
+need_data
+
+figures=$root/doc/Vertex_location_optimization/fig
+examples=$build_dir/examples/Vertex_location_optimization
+work=$build_dir/figures
+mkdir -p "$figures" "$work"
+
+configure
+cmake --build "$build_dir" -j "$jobs" --target optimize_remesh optimize_vertex_normals_example
+
+# draw_errors MODEL EDGE_LENGTH [OPTION...]: the errors before and after; the options are those of f3d
+draw_errors()
+{
+  local model=$1 edge_length=$2
+  shift 2
+  "$examples/optimize_remesh" "$CGAL_DATA_DIR/meshes/$model.off" --edge-length "$edge_length" \
+    --output "$work/${model}_" | tee "$work/${model}_log.txt"
+  compare_errors "$work/${model}_" "$figures/errors_$model.png" "$@"
+}
+
+# draw_normals MODEL EDGE_LENGTH [OPTION...]: a coarse remesh with its own and with optimized normals
+draw_normals()
+{
+  local model=$1 edge_length=$2 kind
+  shift 2
+  "$examples/optimize_vertex_normals_example" "$CGAL_DATA_DIR/meshes/$model.off" "$edge_length" "$work/${model}_"
+  for kind in input face own optimized; do
+    render "$work/${model}_${kind}_normals.ply" "$work/$kind.png" --color=0.8,0.85,0.95 "$@"
+    convert "$work/$kind.png" -level 10%,62% "$work/$kind.png"
+  done
+  put_side_by_side "$figures/normals_$model.png" "$work/face.png" "normals of the faces" \
+    "$work/own.png" "own vertex normals" "$work/optimized.png" "optimized normals" "$work/input.png" "input"
+  convert "$figures/normals_$model.png" +dither -colors 128 "PNG8:$figures/normals_$model.png"
+}
+
+draw_errors armadillo 0.012 --camera-azimuth-angle=180
+draw_errors refined_elephant 0.025 --camera-azimuth-angle=0
+draw_normals armadillo 2.7 --camera-azimuth-angle=180

@@ -1,0 +1,351 @@
+// Copyright (c) 2026 The Vertex_location_optimization authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Remeshes a surface, optimizes the locations of the vertices, and tells and shows what it gained.
+
+#include "mesh_output.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/approximation_error.h>
+#include <CGAL/Polygon_mesh_processing/bbox.h>
+#include <CGAL/Polygon_mesh_processing/detect_features.h>
+#include <CGAL/Polygon_mesh_processing/Flat_triangle_surface.h>
+#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
+#include <CGAL/Polygon_mesh_processing/optimize_vertex_locations.h>
+#include <CGAL/Polygon_mesh_processing/PN_triangle_surface.h>
+#include <CGAL/Polygon_mesh_processing/remesh.h>
+#include <CGAL/Real_timer.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <boost/program_options.hpp>
+
+#ifdef _WIN32
+#include <io.h>
+#else
+#include <unistd.h>
+#endif
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <functional>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+using Crease_map = Mesh::Property_map<Mesh::Edge_index, bool>;
+using Error_map = Mesh::Property_map<Mesh::Vertex_index, double>;
+
+namespace PMP = CGAL::Polygon_mesh_processing;
+namespace po = boost::program_options;
+
+struct Settings
+{
+  std::string input;
+  std::string remesh;              // instead of remeshing
+  std::string output = "./";       // what the names of the files begin with
+  std::string format = "off";
+  std::string reference = "pn";
+  double edge_length = 0.02;
+  bool is_absolute = false;
+  unsigned int remeshing_iterations = 10;
+  double crease_angle = 180;
+  double sharpness_angle = 45;
+  std::size_t iterations = 30;
+  std::size_t free_iterations = 20;
+  std::size_t relaxation_steps = 1;
+  bool relax_constraints = false;
+  bool test_self_intersections = false;
+  bool is_sequential = false;
+  double largest_color = 0;        // 0: three times the mean error of the remesh
+};
+
+// Reads the command line. Returns false if it asks for help, which is given.
+bool read_settings(int argc, char* argv[], Settings& s)
+{
+  po::options_description options("Options");
+  options.add_options()
+    ("help,h", "print this help")
+    ("edge-length,l", po::value(&s.edge_length)->default_value(s.edge_length, "0.02"),
+     "target edge length of the remesh, relative to the longest side of the bounding box")
+    ("absolute,a", po::bool_switch(&s.is_absolute), "the edge length is in the unit of the input")
+    ("remesh,r", po::value(&s.remesh), "take this remesh instead of remeshing the input")
+    ("remeshing-iterations", po::value(&s.remeshing_iterations)->default_value(s.remeshing_iterations),
+     "iterations of isotropic_remeshing()")
+    ("crease-angle,c", po::value(&s.crease_angle)->default_value(s.crease_angle, "180"),
+     "constrain the edges that are sharper than this angle, in degrees")
+    ("relax-constraints", po::bool_switch(&s.relax_constraints), "fit creases and borders along themselves")
+    ("reference", po::value(&s.reference)->default_value(s.reference),
+     "what the input stands for: pn, a smooth surface, or flat, its faces as they are")
+    ("sharpness-angle", po::value(&s.sharpness_angle)->default_value(s.sharpness_angle, "45"),
+     "where the smooth surface has creases, in degrees")
+    ("iterations,n", po::value(&s.iterations)->default_value(s.iterations), "iterations of the optimization at most")
+    ("free-iterations", po::value(&s.free_iterations)->default_value(s.free_iterations),
+     "so many of them are not restricted to the normals")
+    ("relaxation-steps", po::value(&s.relaxation_steps)->default_value(s.relaxation_steps),
+     "steps of the springs in each free iteration")
+    ("test-self-intersections", po::bool_switch(&s.test_self_intersections), "cause no new self-intersection")
+    ("sequential", po::bool_switch(&s.is_sequential), "use one thread")
+    ("output,o", po::value(&s.output)->default_value(s.output), "what the names of the written files begin with")
+    ("format", po::value(&s.format)->default_value(s.format), "format of the meshes: off, obj, ply, stl")
+    ("largest-color", po::value(&s.largest_color),
+     "the error that is red, in the unit of the input; default: three times the mean error of the remesh");
+  po::options_description hidden;
+  hidden.add_options()("input", po::value(&s.input)->required());
+  po::positional_options_description positional;
+  positional.add("input", 1);
+  po::options_description all;
+  all.add(options).add(hidden);
+
+  po::variables_map values;
+  po::store(po::command_line_parser(argc, argv).options(all).positional(positional).run(), values);
+  if(values.count("help"))
+  {
+    std::cout << "Usage: optimize_remesh [options] MESH\n\n"
+              << "Remeshes MESH, optimizes the locations of the vertices, prints the errors before and after, and\n"
+              << "writes remesh and optimized, each also with its errors as colors (.ply) and as a scalar (.vtp).\n\n"
+              << options;
+    return false;
+  }
+  po::notify(values);
+
+  auto require = [](bool condition, const std::string& message)
+  {
+    if(!condition)
+      throw std::runtime_error(message);
+  };
+  require(s.edge_length > 0 && std::isfinite(s.edge_length), "--edge-length must be positive");
+  require(s.is_absolute || s.edge_length <= 1, "--edge-length is relative and must not exceed 1; see --absolute");
+  require(s.crease_angle >= 0 && s.sharpness_angle >= 0, "angles must not be negative");
+  require(s.largest_color >= 0, "--largest-color must not be negative");
+  require(s.reference == "pn" || s.reference == "flat", "--reference must be pn or flat");
+  require(s.format == "off" || s.format == "obj" || s.format == "ply" || s.format == "stl",
+          "--format must be off, obj, ply or stl");
+  return true;
+}
+
+Mesh read_mesh(const std::string& name)
+{
+  auto require = [&](bool condition, const std::string& message)
+  {
+    if(!condition)
+      throw std::runtime_error(name + ": " + message);
+  };
+  require(std::filesystem::is_regular_file(name), "there is no such file");
+  Mesh mesh;
+  require(PMP::IO::read_polygon_mesh(name, mesh), "it is unreadable or no manifold mesh");
+  require(mesh.number_of_faces() > 0, "it has no face");
+  require(CGAL::is_triangle_mesh(mesh), "its faces are not all triangles");
+  for(const Point& p : mesh.points())
+    require(std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z()), "a coordinate is not finite");
+  return mesh;
+}
+
+double longest_side(const Mesh& mesh)
+{
+  const CGAL::Bbox_3 box = PMP::bbox(mesh);
+  return (std::max)({ box.x_span(), box.y_span(), box.z_span() });
+}
+
+// how regular the triangles are: smallest angles in degrees
+struct Regularity
+{
+  double mean = 0;
+  double min = 180;
+};
+
+Regularity measure_regularity(const Mesh& mesh)
+{
+  Regularity regularity;
+  for(Mesh::Face_index f : mesh.faces())
+  {
+    const Mesh::Halfedge_index h = mesh.halfedge(f);
+    const std::array<Point, 3> p{ mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
+                                  mesh.point(mesh.target(mesh.next(h))) };
+    const double smallest = (std::min)({ CGAL::approximate_angle(p[0], p[1], p[2]),
+                                         CGAL::approximate_angle(p[1], p[2], p[0]),
+                                         CGAL::approximate_angle(p[2], p[0], p[1]) });
+    regularity.mean += smallest / mesh.number_of_faces();
+    regularity.min = (std::min)(regularity.min, smallest);
+  }
+  return regularity;
+}
+
+// what the table says of a mesh
+struct Measures
+{
+  PMP::Approximation_error error;
+  PMP::Approximation_error back; // from the input to the mesh
+  Regularity regularity;
+};
+
+template <typename Concurrency, typename Surface>
+Measures measure(const Mesh& mesh, const Mesh& input, const Surface& reference, Error_map errors)
+{
+  return { PMP::approximation_error<Concurrency>(mesh, reference, CGAL::parameters::vertex_error_map(errors)),
+           PMP::approximation_error<Concurrency>(input, PMP::Flat_triangle_surface<Mesh>(mesh),
+                                                 CGAL::parameters::number_of_points_per_face(4)),
+           measure_regularity(mesh) };
+}
+
+void print_table(const Measures& before, const Measures& after, double side)
+{
+  auto print_row = [&](const char* name, double a, double b, bool is_error)
+  {
+    const double unit = is_error ? side * 1e-4 : 1;
+    std::printf("  %-32s %10.3f %10.3f", name, a / unit, b / unit);
+    if(is_error && a > 0)
+      std::printf(" %+9.1f%%", 100 * (b - a) / a);
+    std::printf("\n");
+  };
+  std::printf("\n  %-32s %10s %10s\n", "", "before", "after");
+  print_row("mean error", before.error.mean, after.error.mean, true);
+  print_row("root mean square", before.error.rms, after.error.rms, true);
+  print_row("maximum", before.error.max, after.error.max, true);
+  print_row("mean from the input", before.back.mean, after.back.mean, true);
+  print_row("maximum from the input", before.back.max, after.back.max, true);
+  print_row("mean smallest angle (degrees)", before.regularity.mean, after.regularity.mean, false);
+  print_row("smallest angle (degrees)", before.regularity.min, after.regularity.min, false);
+  std::printf("  Errors in 1/10000 of the longest side of the bounding box.\n\n");
+}
+
+// Shows the progress on a terminal.
+class Progress_bar
+  : public PMP::Vertex_location_optimization_default_visitor
+{
+public:
+  explicit Progress_bar(std::size_t iterations) : m_iterations(iterations), m_is_visible(is_terminal()) {}
+
+  ~Progress_bar()
+  {
+    if(m_is_visible)
+      std::cerr << "\r\033[K" << std::flush;
+  }
+
+  void end_iteration(const PMP::Vertex_location_optimization_report& report)
+  {
+    if(m_is_visible)
+      std::cerr << "\roptimizing: iteration " << report.iterations << " of at most " << m_iterations << std::flush;
+  }
+
+private:
+  static bool is_terminal()
+  {
+#ifdef _WIN32
+    return _isatty(_fileno(stderr)) != 0;
+#else
+    return isatty(fileno(stderr)) != 0;
+#endif
+  }
+
+  std::size_t m_iterations;
+  bool m_is_visible;
+};
+
+Crease_map mark_creases(Mesh& mesh, double angle)
+{
+  Crease_map is_crease = mesh.add_property_map<Mesh::Edge_index, bool>("e:is_crease", false).first;
+  if(angle < 180)
+    PMP::detect_sharp_edges(mesh, angle, is_crease);
+  return is_crease;
+}
+
+template <typename Concurrency, typename Surface>
+void optimize(const Settings& s, const Mesh& input, Mesh& mesh, Crease_map is_crease, const Surface& reference)
+{
+  const double side = longest_side(input);
+  Mesh remesh = mesh;
+  Error_map errors_before = remesh.add_property_map<Mesh::Vertex_index, double>("v:error").first;
+  Error_map errors = mesh.add_property_map<Mesh::Vertex_index, double>("v:error").first;
+  const Measures before = measure<Concurrency>(remesh, input, reference, errors_before);
+
+  CGAL::Real_timer timer;
+  timer.start();
+  PMP::Vertex_location_optimization_report report;
+  {
+    Progress_bar progress(s.iterations);
+    report = PMP::optimize_vertex_locations<Concurrency>(
+      mesh, reference,
+      CGAL::parameters::number_of_free_iterations(s.free_iterations)
+        .number_of_iterations(s.iterations)
+        .number_of_relaxation_steps(s.relaxation_steps)
+        .edge_is_constrained_map(is_crease)
+        .relax_constraints(s.relax_constraints)
+        .do_self_intersection_tests(s.test_self_intersections)
+        .visitor(std::ref(progress)));
+  }
+  std::printf("optimized: %zu iterations, %.2f s\n", report.iterations, timer.time());
+
+  const Measures after = measure<Concurrency>(mesh, input, reference, errors);
+  print_table(before, after, side);
+
+  const double largest_color = s.largest_color > 0 ? s.largest_color : 3 * before.error.mean;
+  write_mesh(s.output + "remesh." + s.format, remesh);
+  write_mesh(s.output + "optimized." + s.format, mesh);
+  write_colored_PLY(s.output + "remesh_error.ply", remesh, errors_before, largest_color);
+  write_colored_PLY(s.output + "optimized_error.ply", mesh, errors, largest_color);
+  write_VTP(s.output + "remesh_error.vtp", remesh, "error", errors_before);
+  write_VTP(s.output + "optimized_error.vtp", mesh, "error", errors);
+  std::printf("written: %sremesh*, %soptimized*; colors from 0 (blue) to %.3g (red)\n", s.output.c_str(),
+              s.output.c_str(), largest_color);
+}
+
+template <typename Concurrency>
+void run(const Settings& s)
+{
+  const Mesh input = read_mesh(s.input);
+  const double side = longest_side(input);
+  if(!(side > 0))
+    throw std::runtime_error(s.input + ": all its points are the same");
+  std::printf("%s: %u vertices\n", s.input.c_str(), input.number_of_vertices());
+
+  CGAL::Real_timer timer;
+  timer.start();
+  Mesh mesh = s.remesh.empty() ? input : read_mesh(s.remesh);
+  Crease_map is_crease = mark_creases(mesh, s.crease_angle);
+  if(s.remesh.empty())
+  {
+    PMP::isotropic_remeshing(faces(mesh), s.is_absolute ? s.edge_length : s.edge_length * side, mesh,
+                             CGAL::parameters::number_of_iterations(s.remeshing_iterations)
+                               .number_of_relaxation_steps(3)
+                               .edge_is_constrained_map(is_crease));
+    mesh.collect_garbage();
+  }
+  if(mesh.number_of_faces() == 0)
+    throw std::runtime_error("nothing is left of the mesh: the edge length is too large");
+  std::printf("remesh: %u vertices, %.2f s\n", mesh.number_of_vertices(), timer.time());
+
+  if(s.reference == "flat")
+    optimize<Concurrency>(s, input, mesh, is_crease, PMP::Flat_triangle_surface<Mesh>(input));
+  else
+    optimize<Concurrency>(s, input, mesh, is_crease,
+                          PMP::PN_triangle_surface<Mesh>(input, CGAL::parameters::sharpness_angle(s.sharpness_angle)));
+}
+
+int main(int argc, char* argv[])
+{
+  try
+  {
+    Settings settings;
+    if(!read_settings(argc, argv, settings))
+      return EXIT_SUCCESS;
+    if(settings.is_sequential)
+      run<CGAL::Sequential_tag>(settings);
+    else
+      run<CGAL::Parallel_if_available_tag>(settings);
+    return EXIT_SUCCESS;
+  }
+  catch(const std::exception& e)
+  {
+    std::cerr << "optimize_remesh: " << e.what() << std::endl;
+    return EXIT_FAILURE;
+  }
+}

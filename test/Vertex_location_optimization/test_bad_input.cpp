@@ -1,0 +1,242 @@
+// Copyright (c) 2026 The Vertex_location_optimization authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Input that nobody wants. Violated preconditions are found where CGAL's checks are on; where they are off the mesh is
+// left as it is. All else must work: it is compiled both ways.
+
+#include "check.h"
+#include "mesh_quality.h"
+#include "test_meshes.h"
+
+#include <CGAL/Polygon_mesh_processing/Flat_triangle_surface.h>
+#include <CGAL/Polygon_mesh_processing/optimize_vertex_locations.h>
+
+#include <CGAL/assertions_behaviour.h>
+#include <CGAL/boost/graph/generators.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+namespace PMP = CGAL::Polygon_mesh_processing;
+using Report = PMP::Vertex_location_optimization_report;
+using Vertex = Mesh::Vertex_index;
+using Halfedge = Mesh::Halfedge_index;
+
+// bit by bit, so that a NaN is the same as itself
+bool are_same(const std::vector<Point>& a, const std::vector<Point>& b)
+{
+  bool same = a.size() == b.size();
+  for(std::size_t i = 0; same && i < a.size(); ++i)
+    for(int k = 0; k < 3; ++k)
+    {
+      const double x = a[i][k], y = b[i][k];
+      same = same && std::memcmp(&x, &y, sizeof(double)) == 0;
+    }
+  return same;
+}
+
+// whether f() ends with a violated precondition
+template <typename F>
+bool violates_precondition(const F& f)
+{
+  try { f(); }
+  catch(const CGAL::Precondition_exception&) { return true; }
+  return false;
+}
+
+#ifdef NDEBUG
+constexpr bool checks_are_on = false;
+#else
+constexpr bool checks_are_on = true;
+#endif
+
+template <typename Reference>
+void check_refused(const Mesh& input, const Reference& reference)
+{
+  Mesh mesh = input;
+  Report report;
+  const bool has_thrown = violates_precondition([&] { report = PMP::optimize_vertex_locations(mesh, reference); });
+  CHECK_EQUAL(has_thrown, checks_are_on);
+  CHECK_EQUAL(report.iterations, 0u);
+  CHECK(are_same(points_of(mesh), points_of(input)));
+}
+
+// the result, which is finite
+template <typename Reference>
+std::vector<Point> check_finite(const Mesh& input, const Reference& reference)
+{
+  Mesh mesh = input;
+  const Report report = PMP::optimize_vertex_locations<CGAL::Parallel_if_available_tag>(mesh, reference);
+  for(const Point& p : mesh.points())
+    CHECK(std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z()));
+  CHECK(std::isfinite(report.displacement));
+  CHECK_AT_MOST(report.iterations, 30u);
+  CHECK_EQUAL(mesh.number_of_faces(), input.number_of_faces());
+  return points_of(mesh);
+}
+
+// the result, which is finite and stays near the input, whose extent is about 1
+template <typename Reference>
+std::vector<Point> check_sane(const Mesh& input, const Reference& reference)
+{
+  const std::vector<Point> points = check_finite(input, reference);
+  CHECK_AT_MOST(largest_distance(points, points_of(input)), 0.5);
+  return points;
+}
+
+Mesh scaled(Mesh mesh, double scale)
+{
+  for(Point& p : mesh.points())
+    p = CGAL::ORIGIN + scale * (p - CGAL::ORIGIN);
+  return mesh;
+}
+
+// faces of no area: edges of length 0, corners on the opposite edge, and needles
+Mesh with_degenerate_faces(Mesh mesh)
+{
+  for(unsigned int i = 0; i < mesh.number_of_halfedges(); i += 97)
+    mesh.point(mesh.target(Halfedge(i))) = mesh.point(mesh.source(Halfedge(i)));
+  for(unsigned int i = 40; i < mesh.number_of_halfedges(); i += 97)
+    mesh.point(mesh.target(mesh.next(Halfedge(i)))) =
+      CGAL::midpoint(mesh.point(mesh.source(Halfedge(i))), mesh.point(mesh.target(Halfedge(i))));
+  for(unsigned int i = 70; i < mesh.number_of_halfedges(); i += 97)
+  {
+    const Point &p = mesh.point(mesh.source(Halfedge(i))), &q = mesh.point(mesh.target(Halfedge(i)));
+    mesh.point(mesh.target(Halfedge(i))) = p + 1e-15 * (q - p);
+  }
+  return mesh;
+}
+
+int main()
+{
+  CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) {}); // no words, only exceptions
+  const Mesh sphere = make_mesh(icosphere(2)), reference = make_mesh(icosphere(3)), empty;
+  const std::vector<Point> expected = check_sane(sphere, reference);
+
+  start_topic("An empty remesh or reference");
+  check_finite(empty, reference);
+  check_finite(empty, empty);
+  check_refused(sphere, empty);
+  check_refused(sphere, PMP::PN_triangle_surface<Mesh>(empty));
+  check_refused(sphere, PMP::Flat_triangle_surface<Mesh>(empty));
+
+  start_topic("Faces that are no triangles");
+  Mesh quads = sphere;
+  CGAL::Euler::join_face(quads.halfedge(Mesh::Edge_index(5)), quads);
+  check_refused(quads, reference);
+  check_refused(sphere, quads);
+  CHECK_EQUAL(violates_precondition([&] { PMP::Flat_triangle_surface<Mesh> surface(quads); }), checks_are_on);
+
+  for(double bad : { std::numeric_limits<double>::quiet_NaN(), HUGE_VAL, -HUGE_VAL })
+    for(int k = 0; k < 3; ++k)
+    {
+      start_topic("A coordinate that is " + std::to_string(bad));
+      Mesh mesh = sphere;
+      mesh.point(Vertex(10)) = Point(k == 0 ? bad : 1, k == 1 ? bad : 0, k == 2 ? bad : 0);
+      check_refused(mesh, reference);
+      check_refused(sphere, mesh);
+      Mesh with_isolated_vertex = sphere;
+      with_isolated_vertex.add_vertex(mesh.point(Vertex(10)));
+      check_refused(with_isolated_vertex, reference);
+    }
+
+  start_topic("Degenerate faces");
+  check_sane(with_degenerate_faces(sphere), reference);
+  check_sane(sphere, with_degenerate_faces(reference));
+  check_sane(with_degenerate_faces(sphere), with_degenerate_faces(reference));
+  check_sane(with_degenerate_faces(sphere), PMP::Flat_triangle_surface<Mesh>(with_degenerate_faces(reference)));
+
+  start_topic("No face has an area");
+  const Mesh point = make_mesh(transformed(icosphere(1), [](const Point&) { return Point(1, 0, 0); }));
+  const Mesh line = make_mesh(transformed(icosphere(1), [](const Point& p) { return Point(p.x(), 0, 0); }));
+  CHECK_AT_MOST(largest_distance(check_sane(point, reference), points_of(point)), 1e-12);
+  check_finite(line, reference);
+  check_finite(sphere, point);
+  check_finite(sphere, line);
+  check_finite(point, line);
+  check_finite(line, point);
+
+  start_topic("Duplicate points");
+  Soup cut = icosphere(2); // each triangle by itself
+  Soup pieces;
+  for(const auto& triangle : cut.triangles)
+  {
+    for(std::size_t i : triangle)
+      pieces.points.push_back(cut.points[i]);
+    const std::size_t n = pieces.points.size();
+    pieces.triangles.push_back({ n - 3, n - 2, n - 1 });
+  }
+  CHECK(check_sane(make_mesh(pieces), reference) == pieces.points); // all is border
+  check_sane(sphere, make_mesh(pieces));
+  Mesh folded = sphere; // a vertex on a neighbor's neighbor
+  folded.point(Vertex(30)) = folded.point(folded.target(folded.next(folded.opposite(folded.halfedge(Vertex(30))))));
+  check_sane(folded, reference);
+
+  start_topic("Isolated vertices");
+  Mesh mesh = sphere;
+  mesh.add_vertex(Point(0.5, 0, 0));
+  mesh.add_vertex(Point(0, 0, 0));
+  std::vector<Point> result = check_sane(mesh, reference);
+  CHECK_EQUAL(result[result.size() - 2], Point(0.5, 0, 0));
+  CHECK_EQUAL(result.back(), Point(0, 0, 0));
+  Mesh reference_with_isolated_vertex = reference;
+  reference_with_isolated_vertex.add_vertex(Point(1.1, 0, 0));
+  CHECK_AT_MOST(largest_distance(check_sane(sphere, reference_with_isolated_vertex), expected), 1e-12);
+  Mesh only_vertices;
+  only_vertices.add_vertex(Point(0.5, 0, 0));
+  only_vertices.add_vertex(Point(0.7, 0, 0));
+  CHECK(check_finite(only_vertices, reference) == points_of(only_vertices));
+  check_refused(sphere, only_vertices);
+
+  start_topic("Several components are optimized each by itself");
+  const auto copied = [](const Mesh& m)
+  {
+    Mesh both = m, copy = m;
+    for(Point& p : copy.points())
+      p = p + Vector(0, 0, 4);
+    both += copy;
+    return both;
+  };
+  result = check_sane(copied(sphere), copied(reference));
+  for(std::size_t i = 0; i < expected.size(); ++i)
+  {
+    CHECK_AT_MOST(norm(result[i] - expected[i]), 1e-9);
+    CHECK_AT_MOST(norm(result[i + expected.size()] - (expected[i] + Vector(0, 0, 4))), 1e-9);
+  }
+
+  start_topic("Non-manifold vertices");
+  Mesh pinched = copied(sphere); // two spheres with one vertex in common
+  const Vertex kept(0), lost(static_cast<Mesh::size_type>(sphere.number_of_vertices()));
+  for(Halfedge h : CGAL::halfedges_around_target(lost, pinched))
+    pinched.set_target(h, kept);
+  check_finite(pinched, copied(reference));
+  check_finite(copied(sphere), pinched);
+  Soup fans{ { { 0, 0, 0 }, { 1, 0, 0.1 }, { 1, 1, 0 }, { 0, 1, 0.1 }, { -1, 0, 0.1 }, { -1, -1, 0 }, { 0, -1, 0.1 } },
+             { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 4, 5 }, { 0, 5, 6 } } };
+  check_sane(make_mesh(fans), reference);
+  check_sane(sphere, make_mesh(subdivide(subdivide(fans))));
+  check_sane(make_mesh(subdivide(subdivide(fans))), make_mesh(fans));
+
+  start_topic("A reference of one triangle");
+  const Soup triangle{ { { 0, 0, 1 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { 0, 1, 2 } } };
+  check_finite(sphere, make_mesh(triangle));
+  check_finite(sphere, PMP::Flat_triangle_surface<Mesh>(make_mesh(triangle)));
+  check_finite(make_mesh(triangle), reference);
+  Mesh tetrahedron;
+  CGAL::make_tetrahedron(Point(1, 0, 0), Point(0, 1, 0), Point(0, 0, 1), Point(0, 0, 0), tetrahedron);
+  check_finite(tetrahedron, tetrahedron);
+  check_finite(tetrahedron, reference);
+
+  start_topic("Huge and tiny coordinates");
+  for(double scale : { 1e-300, 1e-200, 1e-160, 1e-100, 1e100, 1e153, 1e160, 1e200, 1e300 })
+  {
+    check_finite(scaled(sphere, scale), scaled(reference, scale));
+    check_finite(scaled(sphere, scale), PMP::Flat_triangle_surface<Mesh>(scaled(reference, scale)));
+    check_finite(scaled(sphere, scale), reference);
+    check_finite(sphere, scaled(reference, scale));
+  }
+  return test_result();
+}

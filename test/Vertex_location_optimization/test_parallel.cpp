@@ -1,0 +1,77 @@
+// Copyright (c) 2026 The Vertex_location_optimization authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The parallel version gives the result of the sequential one, to the last bit, with any number of threads.
+
+#include "check.h"
+#include "mesh_quality.h"
+#include "test_meshes.h"
+
+#include <CGAL/Polygon_mesh_processing/optimize_vertex_locations.h>
+
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+
+#ifndef CGAL_LINKED_WITH_TBB
+#error "The target CGAL::Vertex_location_optimization should have brought TBB."
+#endif
+
+namespace PMP = CGAL::Polygon_mesh_processing;
+using Report = PMP::Vertex_location_optimization_report;
+
+struct Result
+{
+  std::vector<Point> points;
+  Report report;
+};
+
+template <typename ConcurrencyTag>
+Result optimize(Mesh mesh, const Mesh& reference)
+{
+  Result result;
+  result.report = PMP::optimize_vertex_locations<ConcurrencyTag>(mesh, reference);
+  result.points = points_of(mesh);
+  return result;
+}
+
+void check_same(const Result& a, const Result& b)
+{
+  CHECK(a.points == b.points);
+  CHECK_EQUAL(a.report.iterations, b.report.iterations);
+  CHECK_EQUAL(a.report.converged, b.report.converged);
+  CHECK_EQUAL(a.report.displacement, b.report.displacement);
+  CHECK_EQUAL(a.report.corrected_vertices, b.report.corrected_vertices);
+}
+
+int main()
+{
+  // an irregular mesh, rough enough that moves must be shortened, of some thousand vertices
+  CGAL::Random random(3);
+  const Mesh mesh = make_mesh(transformed(icosphere(5), [&](const Point& p)
+  {
+    auto moved = [&](double x) { return x + random.get_double(-.015, .015); };
+    return CGAL::ORIGIN + (1 + random.get_double(-.01, .01)) * unit(Vector(moved(p.x()), moved(p.y()), moved(p.z())));
+  }));
+  const Mesh reference = make_mesh(icosphere(4));
+
+  start_topic("sequential");
+  const Result expected = optimize<CGAL::Sequential_tag>(mesh, reference);
+  CHECK_LESS(0u, expected.report.corrected_vertices);
+  CHECK(expected.points != points_of(mesh));
+  check_same(optimize<CGAL::Sequential_tag>(mesh, reference), expected);
+
+  for(int number_of_threads : { 1, 2, 3, 7 })
+  {
+    start_topic(std::to_string(number_of_threads) + " threads");
+    tbb::global_control control(tbb::global_control::max_allowed_parallelism, number_of_threads);
+    tbb::task_arena arena(number_of_threads); // also where there are fewer cores
+    for(int i = 0; i < 2; ++i)
+    {
+      arena.execute([&] { check_same(optimize<CGAL::Parallel_tag>(mesh, reference), expected); });
+      arena.execute([&] { check_same(optimize<CGAL::Parallel_if_available_tag>(mesh, reference), expected); });
+    }
+  }
+  return test_result();
+}

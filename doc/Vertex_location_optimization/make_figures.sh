@@ -52,5 +52,5 @@ draw_errors fandisk "--edge-length 0.04 --crease-angle 40 --relax-constraints --
 draw_normals armadillo 2.7 --camera-azimuth-angle=180
 
 # the package's picture in the overview of CGAL, without titles and scale
-convert "$figures/errors_bunny00.png" -gravity south -chop 0x80 -gravity north -chop 0x45 -resize 420x +dither -colors 64 -strip \
+convert "$figures/errors_bunny00.png" +repage -gravity south -chop 0x80 -gravity north -chop 0x45 -resize 420x +dither -colors 64 -strip \
   "PNG8:$figures/vertex_location_optimization.png"

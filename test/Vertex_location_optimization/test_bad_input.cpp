@@ -217,7 +217,7 @@ int main()
   Soup fans{ { { 0, 0, 0 }, { 1, 0, 0.1 }, { 1, 1, 0 }, { 0, 1, 0.1 }, { -1, 0, 0.1 }, { -1, -1, 0 }, { 0, -1, 0.1 } },
              { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 4, 5 }, { 0, 5, 6 } } };
   check_finite(make_mesh(fans), reference);
-  check_sane(sphere, make_mesh(subdivide(subdivide(fans))));
+  check_finite(sphere, make_mesh(subdivide(subdivide(fans))));
   check_sane(make_mesh(subdivide(subdivide(fans))), make_mesh(fans));
 
   start_topic("A reference of one triangle");

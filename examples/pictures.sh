@@ -53,7 +53,7 @@ put_scale_below()
     +repage -background white -gravity north -splice 0x10 -extent 1400x80 -font "$font" -pointsize 20 \
     -gravity north -annotate -300+44 0 -annotate +300+44 "$2" -annotate +0+44 "distance to the input" "$1.scale.png"
   # few colors make a small file; the scale keeps its own
-  convert \( "$1" +dither -colors 200 \) \( "$1.scale.png" +dither -colors 56 \) -append "PNG8:$1"
+  convert \( "$1" +dither -colors 160 \) \( "$1.scale.png" +dither -colors 96 \) -append "PNG8:$1"
   rm "$1.scale.png"
 }
 

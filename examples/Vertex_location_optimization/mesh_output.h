@@ -29,7 +29,7 @@ void write_file(const std::filesystem::path& path, const Write& write)
     path.parent_path() / (path.stem().string() + ".partial" + path.extension().string());
   try
   {
-    if(!write(partial.string()))
+    if(!std::ofstream(partial) || !write(partial.string()))
       throw std::runtime_error("it cannot be written");
     std::filesystem::rename(partial, path);
   }

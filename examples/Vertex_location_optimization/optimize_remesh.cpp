@@ -99,7 +99,7 @@ bool read_settings(int argc, char* argv[], Settings& s)
     ("largest-color", po::value(&s.largest_color),
      "the error that is red, in the unit of the input; default: three times the mean error of the remesh");
   po::options_description hidden;
-  hidden.add_options()("input", po::value(&s.input)->required());
+  hidden.add_options()("input", po::value(&s.input));
   po::positional_options_description positional;
   positional.add("input", 1);
   po::options_description all;
@@ -122,6 +122,7 @@ bool read_settings(int argc, char* argv[], Settings& s)
     if(!condition)
       throw std::runtime_error(message);
   };
+  require(!s.input.empty(), "which mesh? See --help");
   require(s.edge_length > 0 && std::isfinite(s.edge_length), "--edge-length must be positive");
   require(s.is_absolute || s.edge_length <= 1, "--edge-length is relative and must not exceed 1; see --absolute");
   require(s.crease_angle >= 0 && s.sharpness_angle >= 0, "angles must not be negative");
@@ -129,6 +130,8 @@ bool read_settings(int argc, char* argv[], Settings& s)
   require(s.reference == "pn" || s.reference == "flat", "--reference must be pn or flat");
   require(s.format == "off" || s.format == "obj" || s.format == "ply" || s.format == "stl",
           "--format must be off, obj, ply or stl");
+  const std::filesystem::path folder = std::filesystem::path(s.output + "remesh").parent_path();
+  require(folder.empty() || std::filesystem::is_directory(folder), folder.string() + ": there is no such folder");
   return true;
 }
 

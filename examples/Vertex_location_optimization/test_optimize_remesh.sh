@@ -1,0 +1,71 @@
+#!/usr/bin/env bash
+# Tests how the program answers files and options that it cannot work with:
+#
+#   test_optimize_remesh.sh PROGRAM
+#
+# One line on standard error, a non-zero exit and no file; on good input the files, complete.
+set -u
+program=$1
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+failures=0
+
+fail()
+{
+  echo "failed: $*"
+  failures=$((failures + 1))
+}
+
+check_refused()
+{
+  if "$program" "$@" -o out_ > stdout 2> stderr; then
+    fail "accepted: $*"
+  elif [ "$(wc -l < stderr)" != 1 ]; then
+    fail "no single line: $*"
+    cat stderr
+  elif compgen -G 'out_*' > written; then
+    fail "left files: $*"
+  fi
+}
+
+triangle='OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n'
+printf "$triangle" > triangle.off
+: > empty.off
+echo garbage > garbage.off
+printf 'OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n' > quadrangle.off
+printf 'OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n' > points.off
+printf 'OFF\n3 1 0\n0 0 0\n0 0 0\n0 0 0\n3 0 1 2\n' > one_point.off
+printf 'OFF\n3 1 0\n0 0 0\n1 0 0\nnan 1 0\n3 0 1 2\n' > nan.off
+printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n1e999 1 0\n3 0 1 2\n' > infinite.off
+printf 'OFF\n300 1 0\n0 0 0\n1 0 0\n' > truncated.off
+
+for file in missing.off . empty.off garbage.off quadrangle.off points.off one_point.off nan.off infinite.off truncated.off
+do
+  check_refused "$file"
+done
+check_refused
+check_refused triangle.off --remesh garbage.off
+check_refused triangle.off --edge-length 0
+check_refused triangle.off --edge-length -1
+check_refused triangle.off --edge-length much
+check_refused triangle.off --edge-length 5
+check_refused triangle.off --reference round
+check_refused triangle.off --format xyz
+check_refused triangle.off --no-such-option
+check_refused triangle.off triangle.off
+
+if "$program" triangle.off -o missing_folder/ > stdout 2> stderr || [ "$(wc -l < stderr)" != 1 ]; then
+  fail "a folder that is missing"
+fi
+
+"$program" triangle.off --edge-length 0.3 -o good_ > stdout 2> stderr || fail "good input"
+[ -s stderr ] && fail "standard error is no terminal and got something"
+for file in remesh.off remesh_error.ply remesh_error.vtp optimized.off optimized_error.ply optimized_error.vtp; do
+  [ -s "good_$file" ] || fail "good_$file is missing"
+done
+compgen -G '*.partial*' > written && fail "an incomplete file is left"
+"$program" --help | grep -q -- --edge-length || fail "--help"
+
+echo "$failures failures"
+[ "$failures" = 0 ]

@@ -66,7 +66,7 @@ inline std::size_t number_of_flips(const Mesh& mesh, const Distance_to_mesh& sur
   for(Mesh::Face_index f : mesh.faces())
   {
     const auto t = corners(mesh, f);
-    const Mesh::Face_index nearest = surface.closest(CGAL::centroid(t[0], t[1], t[2])).second;
+    const Mesh::Face_index nearest = surface.closest_face(CGAL::centroid(t[0], t[1], t[2]));
     flips += area_vector(t) * area_vector(corners(surface.mesh(), nearest)) < 0;
   }
   return flips;

@@ -181,6 +181,7 @@ namespace Polygon_mesh_processing {
  *
  * \pre `CGAL::is_triangle_mesh(tmesh)` and, if `reference` is a mesh, `CGAL::is_triangle_mesh(reference)`
  * \pre all coordinates are finite
+ * \pre `convergence_threshold` and `regularity_weight` are not negative
  * \pre the reference has a face, unless `tmesh` has no vertex
  *
  * \return what was done. If a precondition is violated and not checked, `tmesh` is untouched and the report says that
@@ -206,7 +207,8 @@ optimize_vertex_locations(TriangleMesh& tmesh,
   using parameters::get_parameter_reference;
 
   auto vpm = read_vertex_point_map(tmesh, np1);
-  using Point_3 = typename boost::property_traits<decltype(vpm)>::value_type;
+  using Geom_traits = typename GetGeomTraits<TriangleMesh, NamedParameters1>::type;
+  using Point_3 = typename Geom_traits::Point_3;
 
   const bool is_valid = is_valid_input(tmesh, vpm);
   CGAL_precondition(is_valid);
@@ -226,6 +228,7 @@ optimize_vertex_locations(TriangleMesh& tmesh,
     choose_parameter(get_parameter(np1, internal_np::placement_method), options.placement_method);
   options.regularity_weight =
     to_double(choose_parameter(get_parameter(np1, internal_np::regularity_weight), options.regularity_weight));
+  CGAL_precondition(options.convergence_threshold >= 0 && options.regularity_weight >= 0);
 
   Mesh_descriptors<TriangleMesh> descriptors;
   Mesh_arrays mesh = make_mesh_arrays(tmesh, vpm, descriptors);

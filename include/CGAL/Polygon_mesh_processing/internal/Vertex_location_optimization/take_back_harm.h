@@ -84,63 +84,34 @@ public:
     return total_area > 0 ? total / total_area : 0;
   }
 
+  // The largest distance, rather less than more: the best of a lattice where the samples are largest.
   template <typename ConcurrencyTag>
   double maximum() const
   {
-    double sampled = 0;
-    for(const std::vector<double>* distances : { &m_at_vertex, &m_at_midpoint, &m_at_barycenter })
-      for(double d : *distances)
-        sampled = (std::max)(sampled, d);
-
+    constexpr double near = 0.9;
     std::vector<double> maxima(m_state.mesh.faces.size());
-    for_each_index<ConcurrencyTag>(maxima.size(), [&](std::size_t f) { maxima[f] = maximum(f, sampled); });
-    return maxima.empty() ? 0 : *std::max_element(maxima.begin(), maxima.end());
+    for_each_index<ConcurrencyTag>(maxima.size(), [&](std::size_t f) { maxima[f] = sampled_maximum(f); });
+    if(maxima.empty())
+      return 0;
+    const double sampled = *std::max_element(maxima.begin(), maxima.end());
+    for_each_index<ConcurrencyTag>(maxima.size(), [&](std::size_t f)
+    {
+      if(maxima[f] >= near * sampled)
+        maxima[f] = (std::max)(maxima[f], lattice_maximum(f).first);
+    });
+    return *std::max_element(maxima.begin(), maxima.end());
   }
 
   // Whether the normal of face f opposes that of the reference at the foot of the barycenter.
   bool opposes_reference(std::size_t f) const { return m_opposes[f] != 0; }
 
-  // The largest distance on face f. If the samples come near `threshold`, it is looked for on a finer lattice and by
-  // climbing from the best point of that.
+  // The largest distance on face f, rather more than less, if the samples come near `threshold`; else the largest of the
+  // samples.
   double maximum(std::size_t f, double threshold) const
   {
-    constexpr double near = 0.6;
-    constexpr int level = 8, number_of_halvings = 5;
-
-    double sampled = m_at_barycenter[f];
-    for(int k = 0; k < 3; ++k)
-      sampled = (std::max)({ sampled, m_at_vertex[m_state.mesh.faces[f][k]], m_at_midpoint[m_state.mesh.face_edges[f][k]] });
-    if(sampled < near * threshold)
-      return sampled;
-
-    const std::array<Point, 3> t = triangle(f);
-    const Foot& hint = m_state.vertex_feet[m_state.mesh.faces[f][0]];
-    Coordinates best{ 0, 0 };
-    double result = -1;
-    auto try_point = [&](const Coordinates& x)
-    {
-      if(x.u < 0 || x.v < 0 || x.u + x.v > 1)
-        return;
-      const double d = distance(point_at(t, x), hint);
-      if(d > result)
-      {
-        result = d;
-        best = x;
-      }
-    };
-    for(int i = 0; i <= level; ++i)
-      for(int j = 0; j <= level - i; ++j)
-        try_point({ double(i) / level, double(j) / level });
-
-    double step = 0.5 / level;
-    for(int i = 0; i < number_of_halvings; ++i, step /= 2)
-    {
-      const Coordinates center = best;
-      for(const auto& [u, v] : { std::pair(1, 0), std::pair(0, 1), std::pair(-1, 1),
-                                 std::pair(-1, 0), std::pair(0, -1), std::pair(1, -1) })
-        try_point({ center.u + step * u, center.v + step * v });
-    }
-    return (std::max)(sampled, result);
+    constexpr double near = 0.6; // between the samples the distance may be larger by so much
+    const double sampled = sampled_maximum(f);
+    return sampled < near * threshold ? sampled : climb_to_maximum(f);
   }
 
 private:
@@ -148,6 +119,58 @@ private:
   {
     const std::array<Index, 3>& v = m_state.mesh.faces[f];
     return { m_state.targets[v[0]], m_state.targets[v[1]], m_state.targets[v[2]] };
+  }
+
+  double sampled_maximum(std::size_t f) const
+  {
+    double result = m_at_barycenter[f];
+    for(int k = 0; k < 3; ++k)
+      result = (std::max)({ result, m_at_vertex[m_state.mesh.faces[f][k]], m_at_midpoint[m_state.mesh.face_edges[f][k]] });
+    return result;
+  }
+
+  // the largest distance on a lattice on face f, and where it is
+  std::pair<double, Coordinates> lattice_maximum(std::size_t f) const
+  {
+    constexpr int level = 8;
+    const std::array<Point, 3> t = triangle(f);
+    std::pair<double, Coordinates> best{ -1, Coordinates() };
+    for(int i = 0; i <= level; ++i)
+      for(int j = 0; j <= level - i; ++j)
+      {
+        const Coordinates x{ double(i) / level, double(j) / level };
+        const double d = distance(point_at(t, x), m_state.vertex_feet[m_state.mesh.faces[f][0]]);
+        if(d > best.first)
+          best = { d, x };
+      }
+    return best;
+  }
+
+  // the largest distance on face f that is found by climbing from that on the lattice
+  double climb_to_maximum(std::size_t f) const
+  {
+    constexpr int number_of_halvings = 5;
+    const std::array<Point, 3> t = triangle(f);
+    auto [result, best] = lattice_maximum(f);
+    double step = 1 / 16.; // half a step of the lattice
+    for(int i = 0; i < number_of_halvings; ++i, step /= 2)
+    {
+      const Coordinates center = best;
+      for(const auto& [u, v] : { std::pair(1, 0), std::pair(0, 1), std::pair(-1, 1),
+                                 std::pair(-1, 0), std::pair(0, -1), std::pair(1, -1) })
+      {
+        const Coordinates x{ center.u + step * u, center.v + step * v };
+        if(x.u < 0 || x.v < 0 || x.u + x.v > 1)
+          continue;
+        const double d = distance(point_at(t, x), m_state.vertex_feet[m_state.mesh.faces[f][0]]);
+        if(d > result)
+        {
+          result = d;
+          best = x;
+        }
+      }
+    }
+    return (std::max)(result, sampled_maximum(f));
   }
 
   double distance(const Point& p, const Foot& hint) const
@@ -184,19 +207,16 @@ private:
 struct Face_quality
 {
   double integral_of_error;
-  double max_error;
   bool opposes_reference;
 };
 
 // A face is bad if it is flipped, if it opposes the reference and did not, or if its largest error exceeds that of the
 // remesh, less a margin for what lies between the samples; if the criterion is strict, also if it has more error in all
-// than in the remesh.
+// than in the remesh. Faces whose vertices have not moved can be bad: what moves beside them is taken back.
 template <typename ReferenceSurface>
 class Harm_criterion
 {
   using State = Optimization_state<typename ReferenceSurface::Foot>;
-
-  static constexpr double sampling_margin = 0.96;
 
 public:
   // measures the remesh, which are the targets at the time of the call
@@ -207,10 +227,11 @@ public:
     error.template sample<ConcurrencyTag>();
     result.m_of_remesh.resize(state.mesh.faces.size());
     result.m_mean_error = error.template mean<ConcurrencyTag>();
-    result.m_max_error = sampling_margin * error.template maximum<ConcurrencyTag>();
+    constexpr double margin = 0.98; // for what lies between the samples
+    result.m_max_error = margin * error.template maximum<ConcurrencyTag>();
     for_each_index<ConcurrencyTag>(state.mesh.faces.size(), [&](std::size_t f)
     {
-      result.m_of_remesh[f] = { error.integral(f), error.maximum(f, result.m_max_error), error.opposes_reference(f) };
+      result.m_of_remesh[f] = { error.integral(f), error.opposes_reference(f) };
     });
     return result;
   }
@@ -220,7 +241,7 @@ public:
     return m_flips.is_bad(f) ||
            (m_error.opposes_reference(f) && !m_of_remesh[f].opposes_reference) ||
            (m_is_strict && m_error.integral(f) > m_of_remesh[f].integral_of_error) ||
-           m_error.maximum(f, m_max_error) > (std::max)(m_max_error, m_of_remesh[f].max_error);
+           m_error.maximum(f, m_max_error) > m_max_error;
   }
 
   void update(std::size_t i) { m_error.update(i); }
@@ -236,7 +257,7 @@ private:
   Sampled_error<ReferenceSurface>& m_error;
   std::vector<Face_quality> m_of_remesh;
   double m_mean_error = 0;
-  double m_max_error = 0; // what a face must not exceed, unless it did in the remesh
+  double m_max_error = 0; // what a face must not exceed
   bool m_is_strict = false;
 };
 

@@ -17,12 +17,14 @@ mkdir -p "$figures" "$work"
 configure
 cmake --build "$build_dir" -j "$jobs" --target optimize_remesh optimize_vertex_normals_example
 
-# draw_errors MODEL EDGE_LENGTH [OPTION...]: the errors before and after; the options are those of f3d
+# draw_errors MODEL "OPTIONS" [OPTION...]: the errors before and after; OPTIONS are those of optimize_remesh, the others
+# those of f3d
 draw_errors()
 {
-  local model=$1 edge_length=$2
+  local model=$1 options=$2
   shift 2
-  "$examples/optimize_remesh" "$CGAL_DATA_DIR/meshes/$model.off" --edge-length "$edge_length" \
+  # shellcheck disable=SC2086  # the options are several words
+  "$examples/optimize_remesh" "$CGAL_DATA_DIR/meshes/$model.off" $options \
     --output "$work/${model}_" | tee "$work/${model}_log.txt"
   compare_errors "$work/${model}_" "$figures/errors_$model.png" "$@"
 }
@@ -42,6 +44,13 @@ draw_normals()
   convert "$figures/normals_$model.png" +dither -colors 128 "PNG8:$figures/normals_$model.png"
 }
 
-draw_errors armadillo 0.012 --camera-azimuth-angle=180
-draw_errors refined_elephant 0.025 --camera-azimuth-angle=0
+draw_errors armadillo "--edge-length 0.012" --camera-azimuth-angle=180
+draw_errors refined_elephant "--edge-length 0.025" --camera-azimuth-angle=0
+draw_errors bunny00 "--edge-length 0.05" --edges
+draw_errors fandisk "--edge-length 0.04 --crease-angle 40 --relax-constraints --reference flat" --edges \
+  --camera-azimuth-angle=30 --camera-elevation-angle=20 --camera-view-angle=27
 draw_normals armadillo 2.7 --camera-azimuth-angle=180
+
+# the package's picture in the overview of CGAL, without titles and scale
+convert "$figures/errors_bunny00.png" +repage -gravity south -chop 0x80 -gravity north -chop 0x45 -resize 420x +dither -colors 64 -strip \
+  "PNG8:$figures/vertex_location_optimization.png"

@@ -11,6 +11,11 @@
     <title>Polygon Mesh Processing</title>
     <filename>Polygon_mesh_processing/index.html</filename>
   </compound>
+  <compound kind="page">
+    <name>licensesGPL</name>
+    <title>GPL</title>
+    <filename>Manual/license.html</filename>
+  </compound>
   <compound kind="class"><name>FaceGraph</name><filename>BGL/classFaceGraph.html</filename></compound>
   <compound kind="class"><name>FaceListGraph</name><filename>BGL/classFaceListGraph.html</filename></compound>
   <compound kind="class"><name>EdgeListGraph</name><filename>BGL/classEdgeListGraph.html</filename></compound>

@@ -30,9 +30,8 @@ using Surface_mesh_of_doubles = CGAL::Surface_mesh<CGAL::Simple_cartesian<double
 using Surface_mesh_of_exact_numbers = CGAL::Surface_mesh<CGAL::Exact_predicates_exact_constructions_kernel::Point_3>;
 using Polyhedron = CGAL::Polyhedron_3<Kernel>;
 
-// a torus of two tessellations
-const double outer_radius = 2;
-Soup torus(std::size_t columns, std::size_t rows)
+// a torus with triangles that are nearly equilateral, turned in itself
+Soup torus(std::size_t columns, std::size_t rows, double turn)
 {
   Soup soup = triangle_grid(columns, rows, true);
   soup.points.resize(columns * rows); // the last row is the first
@@ -41,13 +40,13 @@ Soup torus(std::size_t columns, std::size_t rows)
       i %= columns * rows;
   return transformed(soup, [&](const Point& p)
   {
-    const double a = 2 * CGAL_PI * p.x() / columns, b = 2 * CGAL_PI * p.y() / rows, r = outer_radius + std::cos(b);
+    const double a = 2 * CGAL_PI * p.x() / columns + turn, b = 2 * CGAL_PI * p.y() / rows + 2 * turn, r = 5 + std::cos(b);
     return Point(r * std::cos(a), r * std::sin(a), std::sin(b));
   });
 }
 
-const Soup remesh = torus(36, 16);
-const Soup input = torus(70, 40);
+const Soup remesh = torus(80, 16, 0.1);
+const Soup input = torus(120, 30, 0);
 
 template <typename TriangleMesh, typename Reference>
 std::vector<Point> optimized(TriangleMesh mesh, const Reference& reference)

@@ -87,13 +87,16 @@ Soup transformed(Soup soup, Transformation t)
   return soup;
 }
 
-// a rotation about an axis that is no axis of the coordinate system, and a translation
-inline Point rigid_motion(const Point& p)
+// A rotation about an axis that is no axis of the coordinate system. Meshes with a symmetry in common should be turned
+// against each other by it: the foot of a point on a plane of symmetry can be equally close on both its sides.
+inline Point rotated(const Point& p)
 {
   const double c = std::cos(0.7), s = std::sin(0.7), d = std::cos(-1.1), e = std::sin(-1.1);
   const Point q(c * p.x() - s * p.y(), s * p.x() + c * p.y(), p.z());
-  return Point(q.x() + 0.3, d * q.y() - e * q.z() - 0.2, e * q.y() + d * q.z() + 0.5);
+  return Point(q.x(), d * q.y() - e * q.z(), e * q.y() + d * q.z());
 }
+
+inline Point rigid_motion(const Point& p) { return rotated(p) + Vector(0.3, -0.2, 0.5); }
 
 // each triangle in four
 inline Soup subdivide(const Soup& coarse)

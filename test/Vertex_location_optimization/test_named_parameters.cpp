@@ -301,7 +301,8 @@ void test_visitor(const Input& input)
   report = PMP::optimize_vertex_locations(mesh, input.reference, parameters::visitor(std::ref(impatient)));
   CHECK_EQUAL(report.iterations, 7u);
   CHECK(!report.converged);
-  CHECK(points_of(mesh) == optimized(input.mesh, input.reference, parameters::number_of_iterations(7)));
+  CHECK_AT_MOST(largest_distance(points_of(mesh),
+                                 optimized(input.mesh, input.reference, parameters::number_of_iterations(7))), 1e-9);
 
   mesh = input.mesh;
   Counting_visitor unwilling;

@@ -49,12 +49,12 @@ int main()
 {
   // an irregular mesh, rough enough that moves must be shortened, of some thousand vertices
   CGAL::Random random(3);
-  const Mesh mesh = make_mesh(transformed(icosphere(5), [&](const Point& p)
+  const Mesh mesh = make_mesh(transformed(icosphere(4), [&](const Point& p)
   {
-    auto moved = [&](double x) { return x + random.get_double(-.015, .015); };
-    return CGAL::ORIGIN + (1 + random.get_double(-.01, .01)) * unit(Vector(moved(p.x()), moved(p.y()), moved(p.z())));
+    auto moved = [&](double x) { return x + random.get_double(-.03, .03); };
+    return CGAL::ORIGIN + (1 + random.get_double(-.02, .02)) * unit(Vector(moved(p.x()), moved(p.y()), moved(p.z())));
   }));
-  const Mesh reference = make_mesh(icosphere(4));
+  const Mesh reference = make_mesh(icosphere(3));
 
   start_topic("sequential");
   const Result expected = optimize<CGAL::Sequential_tag>(mesh, reference);

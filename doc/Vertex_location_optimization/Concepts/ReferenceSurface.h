@@ -54,8 +54,8 @@ public:
   Foot project(const Point_3& query) const;
 
   /*!
-   * returns the foot of `query` as above. `hint` is a foot that a call of `project()` for some other point returned, most
-   * often one nearby. It may make the search faster, and must not change the distance that is found.
+   * returns the foot of `query` as above. `hint` is a foot that a call of `project()` for some other point returned,
+   * most often one nearby. It may make the search faster, and must not change the distance that is found.
    */
   Foot project(const Point_3& query, const Foot& hint) const;
 

@@ -24,14 +24,14 @@ public:
   void start_phase(CGAL::Polygon_mesh_processing::Vertex_location_optimization_phase phase);
 
   /*!
-   * is called after each iteration. `report` says what has been done so far; its `corrected_vertices` is known only at the
-   * end of the run, and `0` until then.
+   * is called after each iteration. `report` says what has been done so far; its `corrected_vertices` is known only at
+   * the end of the run, and `0` until then.
    */
   void end_iteration(const CGAL::Polygon_mesh_processing::Vertex_location_optimization_report& report);
 
   /*!
-   * is called before each phase, before `start_phase()`. If it returns `false`, the iterations end: the unfinished one is
-   * given up, and what the complete ones have reached is the result, with the same guarantees as that of a full run.
+   * is called before each phase, before `start_phase()`. If it returns `false`, the iterations end: the unfinished one
+   * is given up, and what the complete ones have reached is the result, with the same guarantees as that of a full run.
    */
   bool go_further();
 };

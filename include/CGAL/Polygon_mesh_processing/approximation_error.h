@@ -292,7 +292,7 @@ double normal_deviation(const TriangleMesh& tmesh,
  *
  * \brief measures the angle between the normals of the faces of a triangle mesh and those of a reference surface.
  *
- * It is the function above with the normal of each face at all its points.
+ * It is the function that takes a map, with the normal of each face at all its points.
  */
 template <typename ConcurrencyTag = Sequential_tag,
           typename TriangleMesh,

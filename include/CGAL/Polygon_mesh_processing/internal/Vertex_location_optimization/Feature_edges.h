@@ -159,7 +159,7 @@ private:
   }
 
   // The foot of the midpoint of an edge. The first one decides which curve the edge follows; there is none where the
-  // edge goes another way than the curve, beyond its end, or farther from it than the edge is long.
+  // edge goes another way than the curve, beyond its end, or farther from it than a quarter of its length.
   void find_midpoint_foot(const Mesh_arrays& mesh, Feature_edge& edge) const
   {
     const Point &p = mesh.points[mesh.edges[edge.edge][0]], &q = mesh.points[mesh.edges[edge.edge][1]];
@@ -169,7 +169,7 @@ private:
 
     const Vector along = q - p;
     edge.has_foot = !m_curves.is_end(foot) &&
-                    squared_distance(m, m_curves.point(foot)) < along.squared_length() &&
+                    16 * squared_distance(m, m_curves.point(foot)) < along.squared_length() &&
                     std::abs(m_curves.tangent(foot) * along) > 0.5 * norm(along);
   }
 

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <iterator>
 #include <set>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -99,24 +100,47 @@ public:
   // Whether the normal of face f opposes that of the reference at the foot of the barycenter.
   bool opposes_reference(std::size_t f) const { return m_opposes[f] != 0; }
 
-  // The largest distance on face f. If the samples come near `threshold`, it is looked for on a finer lattice.
+  // The largest distance on face f. If the samples come near `threshold`, it is looked for on a finer lattice and by
+  // climbing from the best point of that.
   double maximum(std::size_t f, double threshold) const
   {
     constexpr double near = 0.6;
-    constexpr int level = 8;
+    constexpr int level = 8, number_of_halvings = 5;
 
-    double result = m_at_barycenter[f];
+    double sampled = m_at_barycenter[f];
     for(int k = 0; k < 3; ++k)
-      result = (std::max)({ result, m_at_vertex[m_state.mesh.faces[f][k]], m_at_midpoint[m_state.mesh.face_edges[f][k]] });
-    if(result < near * threshold)
-      return result;
+      sampled = (std::max)({ sampled, m_at_vertex[m_state.mesh.faces[f][k]], m_at_midpoint[m_state.mesh.face_edges[f][k]] });
+    if(sampled < near * threshold)
+      return sampled;
 
     const std::array<Point, 3> t = triangle(f);
     const Foot& hint = m_state.vertex_feet[m_state.mesh.faces[f][0]];
+    Coordinates best{ 0, 0 };
+    double result = -1;
+    auto try_point = [&](const Coordinates& x)
+    {
+      if(x.u < 0 || x.v < 0 || x.u + x.v > 1)
+        return;
+      const double d = distance(point_at(t, x), hint);
+      if(d > result)
+      {
+        result = d;
+        best = x;
+      }
+    };
     for(int i = 0; i <= level; ++i)
       for(int j = 0; j <= level - i; ++j)
-        result = (std::max)(result, distance(point_at(t, { double(i) / level, double(j) / level }), hint));
-    return result;
+        try_point({ double(i) / level, double(j) / level });
+
+    double step = 0.5 / level;
+    for(int i = 0; i < number_of_halvings; ++i, step /= 2)
+    {
+      const Coordinates center = best;
+      for(const auto& [u, v] : { std::pair(1, 0), std::pair(0, 1), std::pair(-1, 1),
+                                 std::pair(-1, 0), std::pair(0, -1), std::pair(1, -1) })
+        try_point({ center.u + step * u, center.v + step * v });
+    }
+    return (std::max)(sampled, result);
   }
 
 private:
@@ -172,7 +196,7 @@ class Harm_criterion
 {
   using State = Optimization_state<typename ReferenceSurface::Foot>;
 
-  static constexpr double sampling_margin = 0.98;
+  static constexpr double sampling_margin = 0.96;
 
 public:
   // measures the remesh, which are the targets at the time of the call

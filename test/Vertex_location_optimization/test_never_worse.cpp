@@ -1,0 +1,139 @@
+// Copyright (c) 2026 The Vertex_location_optimization authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// A call never makes a remesh worse: neither its mean nor its maximum error, nor its orientation, nor its smallest angles,
+// also where nothing is constrained on parts with creases, on thin plates, fingers and slivers.
+
+#include "check.h"
+#include "Distance_to_mesh.h"
+#include "mesh_quality.h"
+#include "remeshes.h"
+#include "test_meshes.h"
+
+#include <CGAL/Polygon_mesh_processing/Flat_triangle_surface.h>
+#include <CGAL/Polygon_mesh_processing/optimize_vertex_locations.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <string>
+
+namespace PMP = CGAL::Polygon_mesh_processing;
+
+double min_angle(const Mesh& mesh, Mesh::Face_index f)
+{
+  const std::array<Point, 3> t = corners(mesh, f);
+  double smallest = 180;
+  for(int k = 0; k < 3; ++k)
+    smallest = (std::min)(smallest, CGAL::approximate_angle(t[(k + 1) % 3], t[k], t[(k + 2) % 3]));
+  return smallest;
+}
+
+// `splits` is such that the errors of the faces are resolved
+void check_not_worse(const Mesh& remesh, const Mesh& mesh, const Mesh& reference, const Distance_to_mesh& surface, int splits)
+{
+  auto errors_of = [&, hint = *reference.points().begin()](const Mesh& m) mutable
+  {
+    return measure_errors(m, splits, [&](const Point& p) { return surface(p, hint); });
+  };
+  const Errors before = errors_of(remesh), after = errors_of(mesh);
+  const double rounding = 1e-12 * longest_side(reference);
+  CHECK_AT_MOST(after.mean, before.mean + rounding);
+  CHECK_AT_MOST(after.max, before.max + rounding);
+  CHECK_AT_MOST(number_of_flips(mesh, surface), number_of_flips(remesh, surface));
+
+  // the faces of the reference should not be farther from the mesh either; the package promises nothing there
+  auto back_errors_of = [&](const Mesh& m)
+  {
+    const Distance_to_mesh to_mesh(m);
+    Point hint = *m.points().begin();
+    return measure_errors(reference, 2, [&](const Point& p) { return to_mesh(p, hint); });
+  };
+  CHECK_AT_MOST(back_errors_of(mesh).max, 1.05 * back_errors_of(remesh).max + rounding);
+
+  for(Mesh::Face_index f : remesh.faces())
+  {
+    const Vector n = area_vector(corners(remesh, f)), m = area_vector(corners(mesh, f));
+    const double angle = min_angle(remesh, f);
+    if(norm(n) > 0)
+    {
+      CHECK_AT_LEAST(m * n, 0.499 * norm(m) * norm(n));
+      CHECK_AT_LEAST(min_angle(mesh, f), (std::min)(10., angle / 2) - 1e-6);
+    }
+  }
+  std::cout << "  mean " << before.mean << " -> " << after.mean << ", max " << before.max << " -> " << after.max << std::endl;
+}
+
+void test(const std::string& name, const Mesh& reference, const Mesh& remesh, int splits = 8)
+{
+  const Distance_to_mesh surface(reference);
+  const PMP::Flat_triangle_surface<Mesh> flat(reference);
+  for(PMP::Placement_method method : { PMP::PIECEWISE_LINEAR, PMP::LEAST_SQUARES })
+  {
+    start_topic(name + (method == PMP::PIECEWISE_LINEAR ? ", piecewise linear" : ", least squares"));
+    Mesh mesh = remesh;
+    PMP::optimize_vertex_locations(mesh, flat, CGAL::parameters::placement_method(method).do_self_intersection_tests(true));
+    check_not_worse(remesh, mesh, reference, surface, splits);
+
+    const Face_pairs before = self_intersections_of(remesh), after = self_intersections_of(mesh);
+    CHECK(std::includes(before.begin(), before.end(), after.begin(), after.end()));
+  }
+}
+
+// The remesh is so good already, with creases that nobody marks, that each change is for the worse: it must be taken back.
+void test_hopeless()
+{
+  const Mesh reference = make_mesh(cube(3));
+  test("cube that needs nothing", reference, make_mesh(cube(1)));
+}
+
+// a plate of thickness 0.02, which edges of length 0.1 hardly resolve
+Soup plate(std::size_t n)
+{
+  Soup soup = cube(0);
+  while(n >>= 1)
+    soup = subdivide(soup);
+  return transformed(soup, [](const Point& p)
+  {
+    return Point(p.x(), p.y() + 0.2 * std::sin(3 * p.x()), 0.01 * p.z() + 0.1 * std::cos(2 * p.x() + p.y()));
+  });
+}
+
+// an icosphere with thin fingers that grow out of it
+Soup hedgehog(int level)
+{
+  return transformed(icosphere(level), [](const Point& p)
+  {
+    const double peak = std::pow(std::abs(std::sin(4 * p.x()) * std::sin(4 * p.y()) * std::sin(4 * p.z())), 4);
+    return CGAL::ORIGIN + (1 + 2 * peak) * (p - CGAL::ORIGIN);
+  });
+}
+
+int main()
+{
+  for(const char* name : { "fandisk", "anchor_dense", "rotor", "hand", "elephant" })
+  {
+    const Mesh reference = read_model(name);
+    test(name, reference, make_remesh(reference, 0.04));
+  }
+  {
+    // a remesh that has the creases, but they are not marked in the call
+    const Mesh reference = read_model("fandisk");
+    test("fandisk, not remeshed", reference, reference);
+  }
+  test_hopeless();
+  const Mesh thin = make_mesh(plate(32));
+  test("plate", thin, make_mesh(plate(8)));
+  test("plate, remeshed", thin, make_remesh(thin, 0.1));
+  const Mesh fingers = make_mesh(hedgehog(5));
+  test("hedgehog", fingers, make_mesh(hedgehog(3)));
+  test("hedgehog, remeshed", fingers, make_remesh(fingers, 0.1));
+  auto stretched = [](const Soup& soup)
+  {
+    return make_mesh(transformed(soup, [](const Point& p) { return Point(p.x(), p.y(), 40 * p.z()); }));
+  };
+  test("cylinder of slivers", stretched(cylinder(200, 40)), stretched(cylinder(50, 10)), 32);
+  return test_result();
+}

@@ -322,7 +322,8 @@ void run(const Settings& s)
   const double side = longest_side(input);
   if(!(side > 0))
     throw std::runtime_error(s.input + ": all its points are the same");
-  std::printf("%s: %u vertices\n", s.input.c_str(), input.number_of_vertices());
+  std::printf("%s: %u vertices\n", std::filesystem::path(s.input).filename().string().c_str(),
+              input.number_of_vertices());
 
   CGAL::Real_timer timer;
   timer.start();

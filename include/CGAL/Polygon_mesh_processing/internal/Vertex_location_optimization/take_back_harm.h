@@ -28,7 +28,7 @@ struct Face_quality
 
 // A face is bad if it is flipped, if it opposes the reference and did not, or if its largest error exceeds that of the
 // remesh, less a margin for what lies between the samples; if the criterion is strict, also if it has more error in all
-// than in the remesh. Faces whose vertices have not moved can be bad: what moves beside them is taken back.
+// than in the remesh. A face whose vertices have not moved is not bad.
 template <typename ReferenceSurface>
 class Harm_criterion
 {
@@ -54,10 +54,12 @@ public:
 
   bool is_bad(std::size_t f) const
   {
+    if(!has_moved(f))
+      return false;
     return m_flips.is_bad(f) ||
            (m_error.opposes_reference(f) && !m_of_remesh[f].opposes_reference) ||
            (m_is_strict && m_error.integral(f) > m_of_remesh[f].integral_of_error) ||
-           m_error.maximum(f, m_max_error) > m_max_error;
+           !(m_error.maximum(f, m_max_error) <= m_max_error);
   }
 
   void update(std::size_t i) { m_error.update(i); }
@@ -67,8 +69,19 @@ public:
   bool is_strict() const { return m_is_strict; }
 
 private:
-  Harm_criterion(Sampled_error<ReferenceSurface>& error, const State& state) : m_flips(state), m_error(error) {}
+  Harm_criterion(Sampled_error<ReferenceSurface>& error, const State& state)
+    : m_state(state), m_flips(state), m_error(error)
+  {}
 
+  bool has_moved(std::size_t f) const
+  {
+    for(Index i : m_state.mesh.faces[f])
+      if(m_state.targets[i] != m_state.initial_points[i])
+        return true;
+    return false;
+  }
+
+  const State& m_state;
   Flip_criterion<typename ReferenceSurface::Foot> m_flips;
   Sampled_error<ReferenceSurface>& m_error;
   std::vector<Face_quality> m_of_remesh;
@@ -135,11 +148,16 @@ void take_back_harm(const ReferenceSurface& reference,
     }
     while(refuse_moves());
 
-    if(error.template mean<ConcurrencyTag>() > criterion.mean_error())
+    if(!(error.template mean<ConcurrencyTag>() <= criterion.mean_error()))
     {
       if(criterion.is_strict()) // no face has more error, but their areas have changed
       {
-        state.targets = state.initial_points;
+        for(std::size_t i = 0; i < state.targets.size(); ++i)
+          if(state.targets[i] != state.initial_points[i])
+          {
+            state.targets[i] = state.initial_points[i];
+            is_shortened[i] = 1;
+          }
         break;
       }
       criterion.make_strict();

@@ -17,8 +17,9 @@ static_assert(!EXPECT_TBB, "TBB is missing");
 
 int main()
 {
-  CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> mesh;
-  CGAL::make_icosahedron(mesh);
+  using Point = CGAL::Simple_cartesian<double>::Point_3;
+  CGAL::Surface_mesh<Point> mesh;
+  CGAL::make_icosahedron(mesh, Point(0, 0, 0), 1.);
   const auto reference = mesh;
   const auto report =
     CGAL::Polygon_mesh_processing::optimize_vertex_locations<CGAL::Parallel_if_available_tag>(mesh, reference);

@@ -13,9 +13,10 @@ source "$root/examples/pictures.sh"
 need_packages "${base_packages[@]}" "${picture_packages[@]}"
 need_data
 
-input=${1:-$CGAL_DATA_DIR/meshes/armadillo.off}
+input=$(realpath "${1:-$CGAL_DATA_DIR/meshes/armadillo.off}")
 edge_length=${2:-0.012}
-output=$root/examples/output
+cd "$root"
+output=examples/output
 
 configure
 cmake --build "$build_dir" -j "$jobs" --target optimize_remesh

@@ -17,6 +17,7 @@
 #include <CGAL/Polygon_mesh_processing/PN_triangle_surface.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
 #include <CGAL/Real_timer.h>
+#include <CGAL/subdivision_method_3.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <boost/program_options.hpp>
@@ -182,20 +183,32 @@ Regularity measure_regularity(const Mesh& mesh)
   return regularity;
 }
 
+// The input with four faces in the place of one, on the surface that it stands for.
+template <typename Surface>
+Mesh refine(const Mesh& mesh, const Surface& reference)
+{
+  Mesh refined = mesh;
+  CGAL::Subdivision_method_3::PTQ(refined, CGAL::Linear_mask_3<Mesh>(&refined, refined.points()));
+  for(Mesh::Vertex_index v : refined.vertices())
+    refined.point(v) = mesh.has_valid_index(v) ? mesh.point(v)
+                                               : reference.point(reference.project(refined.point(v)));
+  return refined;
+}
+
 // what the table says of a mesh
 struct Measures
 {
   PMP::Approximation_error error;
-  PMP::Approximation_error back; // from the input to the mesh
+  PMP::Approximation_error back; // from the input, refined, to the mesh
   Regularity regularity;
 };
 
 template <typename Concurrency, typename Surface>
-Measures measure(const Mesh& mesh, const Mesh& input, const Surface& reference, Error_map errors)
+Measures measure(const Mesh& mesh, const Mesh& refined_input, const Surface& reference, Error_map errors)
 {
   return { PMP::approximation_error<Concurrency>(mesh, reference, CGAL::parameters::vertex_error_map(errors)),
-           PMP::approximation_error<Concurrency>(input, PMP::Flat_triangle_surface<Mesh>(mesh),
-                                                 CGAL::parameters::number_of_points_per_face(4)),
+           PMP::approximation_error<Concurrency>(refined_input, PMP::Flat_triangle_surface<Mesh>(mesh),
+                                                 CGAL::parameters::number_of_points_per_face(1)),
            measure_regularity(mesh) };
 }
 
@@ -265,10 +278,11 @@ template <typename Concurrency, typename Surface>
 void optimize(const Settings& s, const Mesh& input, Mesh& mesh, Crease_map is_crease, const Surface& reference)
 {
   const double side = longest_side(input);
+  const Mesh refined_input = refine(input, reference);
   Mesh remesh = mesh;
   Error_map errors_before = remesh.add_property_map<Mesh::Vertex_index, double>("v:error").first;
   Error_map errors = mesh.add_property_map<Mesh::Vertex_index, double>("v:error").first;
-  const Measures before = measure<Concurrency>(remesh, input, reference, errors_before);
+  const Measures before = measure<Concurrency>(remesh, refined_input, reference, errors_before);
 
   CGAL::Real_timer timer;
   timer.start();
@@ -287,7 +301,7 @@ void optimize(const Settings& s, const Mesh& input, Mesh& mesh, Crease_map is_cr
   }
   std::printf("optimized: %zu iterations, %.2f s\n", report.iterations, timer.time());
 
-  const Measures after = measure<Concurrency>(mesh, input, reference, errors);
+  const Measures after = measure<Concurrency>(mesh, refined_input, reference, errors);
   print_table(before, after, side);
 
   const double largest_color = s.largest_color > 0 ? s.largest_color : 3 * before.error.mean;
@@ -308,7 +322,8 @@ void run(const Settings& s)
   const double side = longest_side(input);
   if(!(side > 0))
     throw std::runtime_error(s.input + ": all its points are the same");
-  std::printf("%s: %u vertices\n", s.input.c_str(), input.number_of_vertices());
+  std::printf("%s: %u vertices\n", std::filesystem::path(s.input).filename().string().c_str(),
+              input.number_of_vertices());
 
   CGAL::Real_timer timer;
   timer.start();

@@ -134,6 +134,6 @@ int main()
   {
     return make_mesh(transformed(soup, [](const Point& p) { return Point(p.x(), p.y(), 40 * p.z()); }));
   };
-  test("cylinder of slivers", stretched(cylinder(200, 40)), stretched(cylinder(50, 10)), 32);
+  test("cylinder of slivers", stretched(cylinder(160, 32)), stretched(cylinder(20, 4)), 64);
   return test_result();
 }

@@ -20,7 +20,7 @@ namespace Polygon_mesh_processing {
  */
 struct Vertex_location_optimization_report
 {
-  /// the number of iterations done; `0` if the input was unsuitable or there was nothing to do
+  /// the number of iterations done; `0` if the input was unsuitable
   std::size_t iterations = 0;
 
   /// whether no vertex moved farther than the convergence threshold in the last iteration

@@ -154,8 +154,8 @@ namespace Polygon_mesh_processing {
  *
  *   \cgalParamNBegin{allow_move_functor}
  *     \cgalParamDescription{a function object that decides whether a vertex may be moved. It is asked, by one thread,
- *                           for each move of an iteration and, when moves are shortened at the end, for the move from
- *                           the input.}
+ *                           for each move of an iteration and, at the end, for the whole move from the input; a vertex
+ *                           that is refused there returns to where it was in the input.}
  *     \cgalParamType{a functor that provides `bool operator()(vertex_descriptor v, Point_3 src, Point_3 tgt)`, returning
  *                    `true` if the vertex `v` may be moved from `src` to `tgt`; `%Point_3` being the value type of the
  *                    vertex point map}
@@ -181,6 +181,7 @@ namespace Polygon_mesh_processing {
  *
  * \pre `CGAL::is_triangle_mesh(tmesh)` and, if `reference` is a mesh, `CGAL::is_triangle_mesh(reference)`
  * \pre all coordinates are finite
+ * \pre `convergence_threshold` and `regularity_weight` are not negative
  * \pre the reference has a face, unless `tmesh` has no vertex
  *
  * \return what was done. If a precondition is violated and not checked, `tmesh` is untouched and the report says that
@@ -203,7 +204,6 @@ optimize_vertex_locations(TriangleMesh& tmesh,
   using namespace internal::vertex_location;
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  using parameters::get_parameter_reference;
 
   auto vpm = read_vertex_point_map(tmesh, np1);
   using Point_3 = typename boost::property_traits<decltype(vpm)>::value_type;
@@ -226,12 +226,16 @@ optimize_vertex_locations(TriangleMesh& tmesh,
     choose_parameter(get_parameter(np1, internal_np::placement_method), options.placement_method);
   options.regularity_weight =
     to_double(choose_parameter(get_parameter(np1, internal_np::regularity_weight), options.regularity_weight));
+  const bool has_valid_options = options.convergence_threshold >= 0 && options.regularity_weight >= 0;
+  CGAL_precondition(has_valid_options);
+  if(!has_valid_options)
+    return {};
 
   Mesh_descriptors<TriangleMesh> descriptors;
   Mesh_arrays mesh = make_mesh_arrays(tmesh, vpm, descriptors);
   Constraints constraints = read_constraints(mesh, descriptors, np1);
 
-  const auto is_allowed = choose_parameter(get_parameter(np1, internal_np::allow_move_functor), Allow_all_moves());
+  auto is_allowed = choose_parameter(get_parameter(np1, internal_np::allow_move_functor), Allow_all_moves());
   const auto allow_move = [&](std::size_t i, const Point& source, const Point& target)
   {
     return is_allowed(descriptors.vertices[i], convert<Point_3>(source), convert<Point_3>(target));
@@ -240,8 +244,9 @@ optimize_vertex_locations(TriangleMesh& tmesh,
   const Self_intersection_test<ConcurrencyTag, TriangleMesh> find_self_intersections(
     tmesh, descriptors, choose_parameter(get_parameter(np1, internal_np::do_self_intersection_tests), false));
 
-  Vertex_location_optimization_default_visitor default_visitor;
-  auto&& visitor = choose_parameter(get_parameter_reference(np1, internal_np::visitor), default_visitor);
+  auto visitor_or_reference = choose_parameter(get_parameter(np1, internal_np::visitor),
+                                               Vertex_location_optimization_default_visitor());
+  auto& visitor = unwrap_reference(visitor_or_reference);
 
   return with_reference_surface<ConcurrencyTag>(reference, np2, [&](const auto& surface)
   {

@@ -38,8 +38,6 @@ public:
     : m_tmesh(tmesh), m_descriptors(descriptors), m_is_enabled(is_enabled)
   {}
 
-  bool is_enabled() const { return m_is_enabled; }
-
   // the pairs, sorted
   std::vector<Face_pair> operator()(const std::vector<Point>& points) const
   {

@@ -45,7 +45,7 @@ public:
       return false;
     const double sine_before = sine_of_smallest_angle(before, area_before);
     const double cosine_before = std::sqrt((std::max)(0., 1 - sine_before * sine_before));
-    return sine < std::sqrt((1 - cosine_before) / 2); // the sine of half the angle
+    return sine < sine_before / std::sqrt(2 * (1 + cosine_before)); // the sine of half the angle
   }
 
   void update(std::size_t) {}

@@ -12,6 +12,7 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/property_map.h>
 
+#include <functional>
 #include <type_traits>
 #include <vector>
 
@@ -35,6 +36,13 @@ auto read_vertex_point_map(TriangleMesh& tmesh, const NamedParameters& np)
     return typename Get_map::type(choose_parameter(get_parameter(np, internal_np::vertex_point),
                                                    get_property_map(vertex_point, tmesh)));
 }
+
+// what a named parameter holds: itself, or the object to which std::ref() refers
+template <typename T>
+T& unwrap_reference(T& t) { return t; }
+
+template <typename T>
+T& unwrap_reference(std::reference_wrapper<T>& t) { return t.get(); }
 
 // marks the edges that the user constrains
 template <typename TriangleMesh, typename NamedParameters>

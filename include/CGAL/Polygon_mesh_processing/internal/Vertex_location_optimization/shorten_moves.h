@@ -22,7 +22,7 @@ namespace vertex_location {
 // it was corrected; the smallest index first where these are equal. Marks the vertices whose moves it shortens.
 //
 // `criterion.is_bad(f)` says whether face f is bad, `criterion.update(i)` tells that the target of vertex i has changed.
-// No face should be bad whose vertices are all at their origins: it could not be corrected.
+// A bad face whose vertices are all at their origins stays as it is.
 template <typename ConcurrencyTag, typename Foot, typename Criterion>
 void shorten_moves(Optimization_state<Foot>& state,
                    const std::vector<Point>& origins,

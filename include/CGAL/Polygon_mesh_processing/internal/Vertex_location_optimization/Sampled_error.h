@@ -1,0 +1,209 @@
+// Copyright (c) 2026 The Vertex_location_optimization authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_SAMPLED_ERROR_H
+#define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_SAMPLED_ERROR_H
+
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Flat_triangle.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Optimization_state.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Polygon_mesh_processing {
+namespace internal {
+namespace vertex_location {
+
+// The distance to the reference of the targets' surface, sampled at the vertices, the midpoints of the edges and the
+// barycenters of the faces. With the weights 1/20, 2/15 and 9/20 these points integrate cubics exactly.
+template <typename ReferenceSurface>
+class Sampled_error
+{
+  using Foot = typename ReferenceSurface::Foot;
+  using State = Optimization_state<Foot>;
+
+public:
+  Sampled_error(const ReferenceSurface& reference, const State& state) : m_reference(reference), m_state(state) {}
+
+  template <typename ConcurrencyTag>
+  void sample()
+  {
+    const Mesh_arrays& mesh = m_state.mesh;
+    m_at_vertex.resize(mesh.points.size());
+    m_at_midpoint.resize(mesh.edges.size());
+    m_at_barycenter.resize(mesh.faces.size());
+    m_opposes.resize(mesh.faces.size());
+    for_each_index<ConcurrencyTag>(mesh.points.size(), [&](std::size_t i) { sample_vertex(i); });
+    for_each_index<ConcurrencyTag>(mesh.edges.size(), [&](std::size_t e) { sample_midpoint(e); });
+    for_each_index<ConcurrencyTag>(mesh.faces.size(), [&](std::size_t f) { sample_barycenter(f); });
+  }
+
+  // samples anew what has changed with the target of vertex i
+  void update(std::size_t i)
+  {
+    sample_vertex(i);
+    m_state.for_each_corner(i, [&](Index c)
+    {
+      sample_midpoint(m_state.mesh.opposite_edge(Mesh_arrays::next(c)));
+      sample_midpoint(m_state.mesh.opposite_edge(Mesh_arrays::previous(c)));
+      sample_barycenter(c / 3);
+    });
+  }
+
+  double area(std::size_t f) const
+  {
+    const std::array<Point, 3> t = triangle(f);
+    return norm(area_normal(t[0], t[1], t[2])) / 2;
+  }
+
+  // integral of the distance over face f
+  double integral(std::size_t f) const
+  {
+    double at_vertices = 0, at_midpoints = 0;
+    for(int k = 0; k < 3; ++k)
+    {
+      at_vertices += m_at_vertex[m_state.mesh.faces[f][k]];
+      at_midpoints += m_at_midpoint[m_state.mesh.face_edges[f][k]];
+    }
+    return area(f) * (at_vertices / 20 + at_midpoints * 2 / 15 + m_at_barycenter[f] * 9 / 20);
+  }
+
+  template <typename ConcurrencyTag>
+  double mean() const
+  {
+    const std::size_t n = m_state.mesh.faces.size();
+    const double total_area = sum_over_indices<ConcurrencyTag, double>(n, [&](std::size_t f) { return area(f); });
+    const double total = sum_over_indices<ConcurrencyTag, double>(n, [&](std::size_t f) { return integral(f); });
+    return total_area > 0 ? total / total_area : 0;
+  }
+
+  // The largest distance, rather less than more: the best of a lattice where the samples are largest.
+  template <typename ConcurrencyTag>
+  double maximum() const
+  {
+    constexpr double near = 0.9;
+    std::vector<double> maxima(m_state.mesh.faces.size());
+    for_each_index<ConcurrencyTag>(maxima.size(), [&](std::size_t f) { maxima[f] = sampled_maximum(f); });
+    if(maxima.empty())
+      return 0;
+    const double sampled = *std::max_element(maxima.begin(), maxima.end());
+    for_each_index<ConcurrencyTag>(maxima.size(), [&](std::size_t f)
+    {
+      if(maxima[f] >= near * sampled)
+        maxima[f] = (std::max)(maxima[f], lattice_maximum(f).first);
+    });
+    return *std::max_element(maxima.begin(), maxima.end());
+  }
+
+  // Whether the normal of face f opposes that of the reference at the foot of the barycenter.
+  bool opposes_reference(std::size_t f) const { return m_opposes[f] != 0; }
+
+  // The largest distance on face f, rather more than less, if the samples come near `threshold`; else the largest of the
+  // samples.
+  double maximum(std::size_t f, double threshold) const
+  {
+    constexpr double near = 0.6; // between the samples the distance may be larger by so much
+    const double sampled = sampled_maximum(f);
+    return sampled < near * threshold ? sampled : climb_to_maximum(f);
+  }
+
+private:
+  std::array<Point, 3> triangle(std::size_t f) const
+  {
+    const std::array<Index, 3>& v = m_state.mesh.faces[f];
+    return { m_state.targets[v[0]], m_state.targets[v[1]], m_state.targets[v[2]] };
+  }
+
+  double sampled_maximum(std::size_t f) const
+  {
+    double result = m_at_barycenter[f];
+    for(int k = 0; k < 3; ++k)
+      result = (std::max)({ result, m_at_vertex[m_state.mesh.faces[f][k]], m_at_midpoint[m_state.mesh.face_edges[f][k]] });
+    return result;
+  }
+
+  // the largest distance on a lattice on face f, and where it is
+  std::pair<double, Coordinates> lattice_maximum(std::size_t f) const
+  {
+    constexpr int level = 8;
+    const std::array<Point, 3> t = triangle(f);
+    std::pair<double, Coordinates> best{ -1, Coordinates() };
+    for(int i = 0; i <= level; ++i)
+      for(int j = 0; j <= level - i; ++j)
+      {
+        const Coordinates x{ double(i) / level, double(j) / level };
+        const double d = distance(point_at(t, x), m_state.vertex_feet[m_state.mesh.faces[f][0]]);
+        if(d > best.first)
+          best = { d, x };
+      }
+    return best;
+  }
+
+  // the largest distance on face f that is found by climbing from that on the lattice
+  double climb_to_maximum(std::size_t f) const
+  {
+    constexpr int number_of_halvings = 5;
+    const std::array<Point, 3> t = triangle(f);
+    auto [result, best] = lattice_maximum(f);
+    double step = 1 / 16.; // half a step of the lattice
+    for(int i = 0; i < number_of_halvings; ++i, step /= 2)
+    {
+      const Coordinates center = best;
+      for(const auto& [u, v] : { std::pair(1, 0), std::pair(0, 1), std::pair(-1, 1),
+                                 std::pair(-1, 0), std::pair(0, -1), std::pair(1, -1) })
+      {
+        const Coordinates x{ center.u + step * u, center.v + step * v };
+        if(x.u < 0 || x.v < 0 || x.u + x.v > 1)
+          continue;
+        const double d = distance(point_at(t, x), m_state.vertex_feet[m_state.mesh.faces[f][0]]);
+        if(d > result)
+        {
+          result = d;
+          best = x;
+        }
+      }
+    }
+    return (std::max)(result, sampled_maximum(f));
+  }
+
+  double distance(const Point& p, const Foot& hint) const
+  {
+    const Foot foot = m_reference.project(convert<typename ReferenceSurface::Point_3>(p), hint);
+    return norm(convert<Point>(m_reference.point(foot)) - p);
+  }
+
+  void sample_vertex(std::size_t i) { m_at_vertex[i] = distance(m_state.targets[i], m_state.vertex_feet[i]); }
+
+  void sample_midpoint(std::size_t e)
+  {
+    const std::array<Index, 2>& v = m_state.mesh.edges[e];
+    m_at_midpoint[e] = distance(midpoint(m_state.targets[v[0]], m_state.targets[v[1]]), m_state.midpoint_feet[e]);
+  }
+
+  void sample_barycenter(std::size_t f)
+  {
+    const std::array<Point, 3> t = triangle(f);
+    const Point p = point_at(t, Coordinates());
+    const Foot foot = m_reference.project(convert<typename ReferenceSurface::Point_3>(p),
+                                          m_state.midpoint_feet[m_state.mesh.face_edges[f][0]]);
+    m_at_barycenter[f] = norm(convert<Point>(m_reference.point(foot)) - p);
+    m_opposes[f] = area_normal(t[0], t[1], t[2]) * convert<Vector>(m_reference.normal(foot)) < 0;
+  }
+
+  const ReferenceSurface& m_reference;
+  const State& m_state;
+  std::vector<double> m_at_vertex, m_at_midpoint, m_at_barycenter;
+  std::vector<char> m_opposes;
+};
+
+} // namespace vertex_location
+} // namespace internal
+} // namespace Polygon_mesh_processing
+} // namespace CGAL
+
+#endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_SAMPLED_ERROR_H

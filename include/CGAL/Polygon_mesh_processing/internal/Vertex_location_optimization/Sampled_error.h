@@ -95,9 +95,15 @@ public:
     for_each_index<ConcurrencyTag>(maxima.size(), [&](std::size_t f)
     {
       if(maxima[f] >= near * sampled)
-        maxima[f] = (std::max)(maxima[f], lattice_maximum(f).first);
+        maxima[f] = (std::max)(maxima[f], lattice_maximum(f, m_state.targets).first);
     });
     return *std::max_element(maxima.begin(), maxima.end());
+  }
+
+  // Whether the largest distance on face f, on a lattice, is larger than in the remesh.
+  bool has_grown(std::size_t f) const
+  {
+    return lattice_maximum(f, m_state.targets).first > lattice_maximum(f, m_state.initial_points).first;
   }
 
   // Whether the normal of face f opposes that of the reference at the foot of the barycenter.
@@ -113,10 +119,12 @@ public:
   }
 
 private:
-  std::array<Point, 3> triangle(std::size_t f) const
+  std::array<Point, 3> triangle(std::size_t f) const { return triangle(f, m_state.targets); }
+
+  std::array<Point, 3> triangle(std::size_t f, const std::vector<Point>& points) const
   {
     const std::array<Index, 3>& v = m_state.mesh.faces[f];
-    return { m_state.targets[v[0]], m_state.targets[v[1]], m_state.targets[v[2]] };
+    return { points[v[0]], points[v[1]], points[v[2]] };
   }
 
   double sampled_maximum(std::size_t f) const
@@ -127,11 +135,11 @@ private:
     return result;
   }
 
-  // the largest distance on a lattice on face f, and where it is
-  std::pair<double, Coordinates> lattice_maximum(std::size_t f) const
+  // the largest distance on a lattice on face f with its vertices at `points`, and where it is
+  std::pair<double, Coordinates> lattice_maximum(std::size_t f, const std::vector<Point>& points) const
   {
     constexpr int level = 8;
-    const std::array<Point, 3> t = triangle(f);
+    const std::array<Point, 3> t = triangle(f, points);
     std::pair<double, Coordinates> best{ -1, Coordinates() };
     for(int i = 0; i <= level; ++i)
       for(int j = 0; j <= level - i; ++j)
@@ -149,7 +157,7 @@ private:
   {
     constexpr int number_of_halvings = 5;
     const std::array<Point, 3> t = triangle(f);
-    auto [result, best] = lattice_maximum(f);
+    auto [result, best] = lattice_maximum(f, m_state.targets);
     double step = 1 / 16.; // half a step of the lattice
     for(int i = 0; i < number_of_halvings; ++i, step /= 2)
     {

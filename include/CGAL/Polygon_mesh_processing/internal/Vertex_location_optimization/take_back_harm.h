@@ -27,8 +27,8 @@ struct Face_quality
 };
 
 // A face is bad if it is flipped, if it opposes the reference and did not, or if its largest error exceeds that of the
-// remesh, less a margin for what lies between the samples; if the criterion is strict, also if it has more error in all
-// than in the remesh. A face whose vertices have not moved is not bad.
+// remesh, less a margin for what lies between the samples, and its own in the remesh; if the criterion is strict, also if
+// it has more error in all than in the remesh. A face whose vertices have not moved is not bad.
 template <typename ReferenceSurface>
 class Harm_criterion
 {
@@ -59,7 +59,7 @@ public:
     return m_flips.is_bad(f) ||
            (m_error.opposes_reference(f) && !m_of_remesh[f].opposes_reference) ||
            (m_is_strict && m_error.integral(f) > m_of_remesh[f].integral_of_error) ||
-           !(m_error.maximum(f, m_max_error) <= m_max_error);
+           (!(m_error.maximum(f, m_max_error) <= m_max_error) && m_error.has_grown(f));
   }
 
   void update(std::size_t i) { m_error.update(i); }

@@ -38,16 +38,19 @@ class Patch_tree
     using Point = vertex_location::Point;
     using Datum = Patch;
     using Datum_reference = const Patch&;
-    using Shared_data = const Patch*;
+    struct Shared_data
+    {
+      const Patch* patches = nullptr;
+    };
 
     Primitive() = default;
     template <typename Iterator>
-    Primitive(Iterator it, Shared_data) : m_id(static_cast<Id>(*it)) {}
+    Primitive(Iterator it, const Patch*) : m_id(static_cast<Id>(*it)) {}
 
     Id id() const { return m_id; }
-    const Patch& datum(Shared_data patches) const { return patches[m_id]; }
-    Point reference_point(Shared_data patches) const { return patches[m_id].reference_point(); }
-    static Shared_data construct_shared_data(Shared_data patches) { return patches; }
+    const Patch& datum(const Shared_data& data) const { return data.patches[m_id]; }
+    Point reference_point(const Shared_data& data) const { return data.patches[m_id].reference_point(); }
+    static Shared_data construct_shared_data(const Patch* patches) { return { patches }; }
 
   private:
     Id m_id = no_index;

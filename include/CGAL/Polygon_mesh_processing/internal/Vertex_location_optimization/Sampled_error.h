@@ -100,10 +100,11 @@ public:
     return *std::max_element(maxima.begin(), maxima.end());
   }
 
-  // Whether the largest distance on face f, on a lattice, is larger than in the remesh.
+  // Whether the largest distance on face f is larger than in the remesh, on a lattice or beyond it.
   bool has_grown(std::size_t f) const
   {
-    return lattice_maximum(f, m_state.targets).first > lattice_maximum(f, m_state.initial_points).first;
+    return lattice_maximum(f, m_state.targets).first > lattice_maximum(f, m_state.initial_points).first ||
+           climb_to_maximum(f, m_state.targets) > climb_to_maximum(f, m_state.initial_points);
   }
 
   // Whether the normal of face f opposes that of the reference at the foot of the barycenter.
@@ -115,7 +116,7 @@ public:
   {
     constexpr double near = 0.6; // between the samples the distance may be larger by so much
     const double sampled = sampled_maximum(f);
-    return sampled < near * threshold ? sampled : climb_to_maximum(f);
+    return sampled < near * threshold ? sampled : (std::max)(sampled, climb_to_maximum(f, m_state.targets));
   }
 
 private:
@@ -152,12 +153,12 @@ private:
     return best;
   }
 
-  // the largest distance on face f that is found by climbing from that on the lattice
-  double climb_to_maximum(std::size_t f) const
+  // the largest distance that is found by climbing from that on the lattice
+  double climb_to_maximum(std::size_t f, const std::vector<Point>& points) const
   {
     constexpr int number_of_halvings = 5;
-    const std::array<Point, 3> t = triangle(f);
-    auto [result, best] = lattice_maximum(f, m_state.targets);
+    const std::array<Point, 3> t = triangle(f, points);
+    auto [result, best] = lattice_maximum(f, points);
     double step = 1 / 16.; // half a step of the lattice
     for(int i = 0; i < number_of_halvings; ++i, step /= 2)
     {
@@ -176,7 +177,7 @@ private:
         }
       }
     }
-    return (std::max)(result, sampled_maximum(f));
+    return result;
   }
 
   double distance(const Point& p, const Foot& hint) const

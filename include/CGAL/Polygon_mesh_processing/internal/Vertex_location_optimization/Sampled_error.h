@@ -111,12 +111,15 @@ public:
   bool opposes_reference(std::size_t f) const { return m_opposes[f] != 0; }
 
   // The largest distance on face f, rather more than less, if the samples come near `threshold`; else the largest of the
-  // samples.
+  // samples. Between them the distance may be larger: threefold on a face that spans a crease, less the more samples there
+  // are.
   double maximum(std::size_t f, double threshold) const
   {
-    constexpr double near = 0.6; // between the samples the distance may be larger by so much
-    const double sampled = sampled_maximum(f);
-    return sampled < near * threshold ? sampled : (std::max)(sampled, climb_to_maximum(f, m_state.targets));
+    constexpr double near = 0.3, nearer = 0.6;
+    double sampled = sampled_maximum(f);
+    if(sampled >= near * threshold && sampled < nearer * threshold)
+      sampled = (std::max)(sampled, lattice_maximum(f, m_state.targets, 4).first);
+    return sampled < nearer * threshold ? sampled : (std::max)(sampled, climb_to_maximum(f, m_state.targets));
   }
 
 private:
@@ -137,9 +140,8 @@ private:
   }
 
   // the largest distance on a lattice on face f with its vertices at `points`, and where it is
-  std::pair<double, Coordinates> lattice_maximum(std::size_t f, const std::vector<Point>& points) const
+  std::pair<double, Coordinates> lattice_maximum(std::size_t f, const std::vector<Point>& points, int level = 8) const
   {
-    constexpr int level = 8;
     const std::array<Point, 3> t = triangle(f, points);
     std::pair<double, Coordinates> best{ -1, Coordinates() };
     for(int i = 0; i <= level; ++i)

@@ -267,49 +267,56 @@ void test_allow_move_functor(const Input& input)
 // A visitor as a user writes it: it need not derive from the default one, and cannot be copied.
 struct Counting_visitor
 {
-  Counting_visitor() = default;
+  explicit Counting_visitor(std::size_t max_phases = 1000) : max_phases(max_phases) {}
   Counting_visitor(const Counting_visitor&) = delete;
 
   void start_phase(PMP::Vertex_location_optimization_phase phase) { phases.push_back(phase); }
   void end_iteration(const Report& report) { reports.push_back(report); }
-  bool go_further() { return reports.size() < max_iterations; }
+  bool go_further() { return phases.size() < max_phases; }
 
-  std::size_t max_iterations = 1000;
+  std::size_t max_phases;
   std::vector<PMP::Vertex_location_optimization_phase> phases;
   std::vector<Report> reports;
 };
+
+constexpr PMP::Vertex_location_optimization_phase phases_of_iteration[] = { PMP::SAMPLE_REFERENCE, PMP::FIT_VERTICES,
+                                                                            PMP::RELAX_VERTICES, PMP::CORRECT_FLIPS };
 
 void test_visitor(const Input& input)
 {
   start_topic("visitor");
   Mesh mesh = input.mesh;
   Counting_visitor visitor;
-  Report report = PMP::optimize_vertex_locations(mesh, input.reference, parameters::visitor(std::ref(visitor)));
+  const Report report = PMP::optimize_vertex_locations(mesh, input.reference, parameters::visitor(std::ref(visitor)));
   CHECK(points_of(mesh) == optimized(input.mesh, input.reference, parameters::default_values()));
   CHECK_EQUAL(visitor.reports.size(), report.iterations);
   for(std::size_t i = 0; i < visitor.reports.size(); ++i)
     CHECK_EQUAL(visitor.reports[i].iterations, i + 1);
   CHECK_EQUAL(visitor.reports.back().displacement, report.displacement);
-  CHECK_AT_LEAST(visitor.phases.size(), 4u);
-  CHECK_EQUAL(visitor.phases[0], PMP::SAMPLE_REFERENCE);
-  CHECK_EQUAL(visitor.phases[1], PMP::FIT_VERTICES);
+  CHECK_LESS(0u, visitor.reports[0].displacement);
+  CHECK_AT_MOST(visitor.reports.back().corrected_vertices, report.corrected_vertices);
+  CHECK_EQUAL(visitor.phases.size(), 4 * report.iterations + 1);
+  for(std::size_t i = 0; i + 1 < visitor.phases.size(); ++i)
+    CHECK_EQUAL(visitor.phases[i], phases_of_iteration[i % 4]);
+  CHECK_EQUAL(visitor.phases.back(), PMP::TAKE_BACK_HARM);
+}
 
-  // it stops the run with the result of the last complete iteration
-  mesh = input.mesh;
-  Counting_visitor impatient;
-  impatient.max_iterations = 7;
-  report = PMP::optimize_vertex_locations(mesh, input.reference, parameters::visitor(std::ref(impatient)));
-  CHECK_EQUAL(report.iterations, 7u);
-  CHECK(!report.converged);
-  CHECK_AT_MOST(largest_distance(points_of(mesh),
-                                 optimized(input.mesh, input.reference, parameters::number_of_iterations(7))), 1e-9);
-
-  mesh = input.mesh;
-  Counting_visitor unwilling;
-  unwilling.max_iterations = 0;
-  report = PMP::optimize_vertex_locations(mesh, input.reference, parameters::visitor(std::ref(unwilling)));
-  CHECK_EQUAL(report.iterations, 0u);
-  CHECK(points_of(mesh) == points_of(input.mesh));
+void test_cancelling(const Input& input)
+{
+  start_topic("A visitor can stop the run in any phase, with the result of the last complete iteration");
+  for(std::size_t number_of_phases = 0; number_of_phases <= 12; ++number_of_phases)
+  {
+    const std::size_t iterations = number_of_phases / 4;
+    Mesh mesh = input.mesh;
+    Counting_visitor visitor(number_of_phases);
+    const Report report = PMP::optimize_vertex_locations(mesh, input.reference, parameters::visitor(std::ref(visitor)));
+    CHECK_EQUAL(report.iterations, iterations);
+    CHECK(!report.converged);
+    CHECK_EQUAL(visitor.reports.size(), iterations);
+    CHECK_EQUAL(visitor.phases.size(), number_of_phases + (iterations > 0));
+    CHECK_AT_MOST(largest_distance(points_of(mesh), optimized(input.mesh, input.reference,
+                                                              parameters::number_of_iterations(iterations))), 1e-9);
+  }
 }
 
 void test_reference_parameters(const Input& input)
@@ -354,6 +361,7 @@ int main()
   test_constraints(input);
   test_allow_move_functor(input);
   test_visitor(input);
+  test_cancelling(input);
   test_reference_parameters(input);
   return test_result();
 }

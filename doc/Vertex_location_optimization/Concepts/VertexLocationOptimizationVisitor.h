@@ -19,19 +19,21 @@ class VertexLocationOptimizationVisitor
 {
 public:
   /*!
-   * is called before each phase of an iteration; `phase` is the one that starts.
+   * is called before each phase; `phase` is the one that starts. If there was an iteration, the last phase of the run is
+   * `TAKE_BACK_HARM`, also if `go_further()` has ended it.
    */
   void start_phase(CGAL::Polygon_mesh_processing::Vertex_location_optimization_phase phase);
 
   /*!
-   * is called after each iteration. `report` says what has been done so far; its `corrected_vertices` is known only at
-   * the end of the run, and `0` until then.
+   * is called after each iteration. `report` says what has been done so far: the number of iterations, the displacement
+   * in the last one, and the number of vertices whose moves have been shortened.
    */
   void end_iteration(const CGAL::Polygon_mesh_processing::Vertex_location_optimization_report& report);
 
   /*!
-   * is called before each phase, before `start_phase()`. If it returns `false`, the iterations end: the unfinished one
-   * is given up, and what the complete ones have reached is the result, with the same guarantees as that of a full run.
+   * is called before each phase of an iteration, before `start_phase()`. If it returns `false`, the iterations end: the
+   * unfinished one is given up, and what the complete ones have reached is the result, with the same guarantees as that
+   * of a full run. `TAKE_BACK_HARM` sees to these and is not asked for: it takes about as long as a few iterations.
    */
   bool go_further();
 };

@@ -30,14 +30,14 @@ struct Vertex_location_optimization_report
   double displacement = 0;
 
   /// the number of vertices whose moves were shortened, so that no face is flipped or collapses
-  /// and nothing gets worse; known at the end of the run
+  /// and nothing gets worse
   std::size_t corrected_vertices = 0;
 };
 
 /*!
  * \ingroup PkgVertexLocationOptimizationRef
  *
- * \brief The phases of an iteration, in their order.
+ * \brief The phases of a run, in their order: those of an iteration, and the last one, which ends the run.
  */
 enum Vertex_location_optimization_phase
 {
@@ -48,7 +48,9 @@ enum Vertex_location_optimization_phase
   /// the vertices are relaxed along the surface; nothing is done in it after the free iterations
   RELAX_VERTICES,
   /// moves that flip a face are shortened
-  CORRECT_FLIPS
+  CORRECT_FLIPS,
+  /// after the iterations: the error is compared with that of the input, and moves that do harm are shortened
+  TAKE_BACK_HARM
 };
 
 /*!
@@ -66,7 +68,8 @@ struct Vertex_location_optimization_default_visitor
   /// is called after each iteration with the report so far.
   void end_iteration(const Vertex_location_optimization_report&) {}
 
-  /// is called before each phase; if it returns `false`, the run ends with the result of the last complete iteration.
+  /// is called before each phase of an iteration; if it returns `false`, the run ends with the result of the last complete
+  /// iteration.
   bool go_further() { return true; }
 };
 

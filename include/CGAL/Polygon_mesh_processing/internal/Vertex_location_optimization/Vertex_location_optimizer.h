@@ -70,9 +70,7 @@ public:
     while(m_report.iterations < m_options.number_of_iterations && !m_report.converged && iterate())
       m_visitor.end_iteration(m_report);
     if(m_report.iterations > 0)
-      take_back_harm<ConcurrencyTag>(m_reference, m_state, [&]() { return refuse_moves(m_state.initial_points); },
-                                     m_find_self_intersections, m_is_shortened);
-    m_report.corrected_vertices = std::count(m_is_shortened.begin(), m_is_shortened.end(), 1);
+      take_back();
     return m_report;
   }
 
@@ -140,6 +138,15 @@ private:
     while(refuse_moves(m_state.mesh.points));
   }
 
+  // Also if the visitor has stopped the iterations: what they have reached is not the result before it is checked.
+  void take_back()
+  {
+    m_visitor.start_phase(TAKE_BACK_HARM);
+    take_back_harm<ConcurrencyTag>(m_reference, m_state, [&]() { return refuse_moves(m_state.initial_points); },
+                                   m_find_self_intersections, m_is_shortened);
+    count_corrected_vertices();
+  }
+
   bool start_phase(Vertex_location_optimization_phase phase)
   {
     if(!m_visitor.go_further())
@@ -184,8 +191,14 @@ private:
     m_state.mesh.points.swap(m_state.targets);
 
     ++m_report.iterations;
+    count_corrected_vertices();
     m_report.displacement = std::sqrt(squared_displacement);
     m_report.converged = m_report.displacement <= m_options.convergence_threshold * m_state.mean_edge_length;
+  }
+
+  void count_corrected_vertices()
+  {
+    m_report.corrected_vertices = std::count(m_is_shortened.begin(), m_is_shortened.end(), 1);
   }
 
   State& m_state;

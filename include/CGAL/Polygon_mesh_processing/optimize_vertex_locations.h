@@ -96,8 +96,8 @@ namespace Polygon_mesh_processing {
  *   \cgalParamNEnd
  *
  *   \cgalParamNBegin{convergence_threshold}
- *     \cgalParamDescription{The iterations end when no vertex has moved farther than this, relative to the mean edge
- *                           length of `tmesh`.}
+ *     \cgalParamDescription{When no vertex has moved farther than this, relative to the mean edge length of `tmesh`,
+ *                           the iterations end: with the next one, if the closest points were not exact.}
  *     \cgalParamType{a number type convertible to `double`}
  *     \cgalParamDefault{`1e-6`}
  *   \cgalParamNEnd

@@ -42,6 +42,13 @@ struct Mesh_arrays
     return { points[faces[f][0]], points[faces[f][1]], points[faces[f][2]] };
   }
 
+  Point midpoint(std::size_t e) const { return CGAL::midpoint(points[edges[e][0]], points[edges[e][1]]); }
+
+  Point barycenter(std::size_t f) const
+  {
+    return centroid(points[faces[f][0]], points[faces[f][1]], points[faces[f][2]]);
+  }
+
   Vector area_normal(std::size_t f) const
   {
     const std::array<Point, 3> t = triangle(f);

@@ -8,6 +8,7 @@
 
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/for_each_index.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Mesh_arrays.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference_samples.h>
 
 #include <cmath>
 #include <utility>
@@ -37,9 +38,7 @@ struct Optimization_state
 {
   Optimization_state(Mesh_arrays mesh_arrays, Constraints c)
     : mesh(std::move(mesh_arrays)), constraints(std::move(c)), initial_points(mesh.points), targets(mesh.points),
-      vertex_samples(mesh.points.size()), vertex_normals(mesh.points.size(), NULL_VECTOR),
-      midpoint_samples(mesh.edges.size()), vertex_feet(mesh.points.size()), midpoint_feet(mesh.edges.size()),
-      vertex_distance_bounds(mesh.points.size(), -1), midpoint_distance_bounds(mesh.edges.size(), -1)
+      vertex_samples(mesh.points.size()), midpoint_samples(mesh.edges.size())
   {
     group_corners_by_vertex();
 
@@ -68,23 +67,19 @@ struct Optimization_state
     return squared_distance(targets[i], mesh.points[i]) <= square(1e-9 * mean_edge_length);
   }
 
-  // by how much a foot may be farther away than the closest point
-  double foot_tolerance() const { return 0.01 * mean_edge_length; }
+  // by how much vertex i moved in the last iteration; to be asked before its target is set
+  Vector last_displacement(std::size_t i) const { return mesh.points[i] - targets[i]; }
 
-  Mesh_arrays mesh;                      // M_t, with the points v_i
+  Mesh_arrays mesh;                         // M_t, with the points v_i
   Constraints constraints;
-  std::vector<Point> initial_points;     // of M_0
-  std::vector<Point> targets;            // p^_i, which become the points of M_t+1; before they are set, M_t-1
+  std::vector<Point> initial_points;        // of M_0
+  std::vector<Point> targets;               // p^_i, which become the points of M_t+1; before they are set, M_t-1
 
-  std::vector<Point> vertex_samples;     // p_i
-  std::vector<Vector> vertex_normals;    // n_i
-  std::vector<Point> midpoint_samples;   // m_ij
-  std::vector<Foot> vertex_feet;         // where p_i is on the reference
-  std::vector<Foot> midpoint_feet;       // where m_ij is
-  std::vector<double> vertex_distance_bounds, midpoint_distance_bounds; // see update_foot()
+  Reference_samples<Foot> vertex_samples;   // p_i and n_i
+  Reference_samples<Foot> midpoint_samples; // m_ij
 
-  double spring_length = 0;              // sigma of (3)
-  double mean_edge_length = 0;           // of M_0
+  double spring_length = 0;                 // sigma of (3)
+  double mean_edge_length = 0;              // of M_0
 
 private:
   void group_corners_by_vertex()

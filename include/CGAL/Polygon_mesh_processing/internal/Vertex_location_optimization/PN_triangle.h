@@ -198,16 +198,21 @@ private:
     for(int iteration = 0; iteration < max_iterations; ++iteration)
     {
       Coordinates step = newton_step(s, query, x);
-      const bool last = std::abs(step.u) + std::abs(step.v) < precision;
+      if(std::abs(step.u) + std::abs(step.v) < precision)
+      {
+        // too short for the distance to matter
+        x = { x.u + step.u, x.v + step.v };
+        break;
+      }
 
-      // shorten the step until the distance decreases; the last one is too short for the distance to show it
+      // shorten the step until the distance decreases
       bool decreased = false;
       for(int halving = 0; halving < 8 && !decreased; ++halving, step = { step.u / 2, step.v / 2 })
       {
         const Coordinates next{ x.u + step.u, x.v + step.v };
         const Derivatives at_next = evaluate(next);
         const double next_distance = squared_distance(query, at_next.point);
-        if(next_distance < distance || last)
+        if(next_distance < distance)
         {
           decreased = true;
           x = next;
@@ -215,7 +220,7 @@ private:
           distance = next_distance;
         }
       }
-      if(last || !decreased)
+      if(!decreased)
         break;
     }
 

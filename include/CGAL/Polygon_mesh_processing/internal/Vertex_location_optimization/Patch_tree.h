@@ -12,6 +12,8 @@
 #include <boost/range/irange.hpp>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -26,6 +28,33 @@ struct Patch_foot
 {
   Index patch = no_index;
   Coordinates coordinates;
+};
+
+// A box in single precision around one in double precision.
+class Outer_box
+{
+public:
+  Outer_box() = default;
+  explicit Outer_box(const Bbox_3& box)
+  {
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    for(int i = 0; i < 3; ++i)
+    {
+      m_min[i] = std::nextafter(static_cast<float>((box.min)(i)), -infinity);
+      m_max[i] = std::nextafter(static_cast<float>((box.max)(i)), infinity);
+    }
+  }
+
+  double squared_distance(const Point& p) const
+  {
+    const double dx = (std::max)({ m_min[0] - p.x(), 0., p.x() - m_max[0] });
+    const double dy = (std::max)({ m_min[1] - p.y(), 0., p.y() - m_max[1] });
+    const double dz = (std::max)({ m_min[2] - p.z(), 0., p.z() - m_max[2] });
+    return dx * dx + dy * dy + dz * dz;
+  }
+
+private:
+  std::array<float, 3> m_min, m_max;
 };
 
 // Patches (see `Flat_triangle`) in an AABB tree, for closest points.
@@ -45,15 +74,17 @@ class Patch_tree
 
     Primitive() = default;
     template <typename Iterator>
-    Primitive(Iterator it, const Patch*) : m_id(static_cast<Id>(*it)) {}
+    Primitive(Iterator it, const Patch* patches) : m_id(static_cast<Id>(*it)), m_box(patches[m_id].bbox()) {}
 
     Id id() const { return m_id; }
+    const Outer_box& box() const { return m_box; }
     const Patch& datum(const Shared_data& data) const { return data.patches[m_id]; }
     Point reference_point(const Shared_data& data) const { return data.patches[m_id].reference_point(); }
     static Shared_data construct_shared_data(const Patch* patches) { return { patches }; }
 
   private:
     Id m_id = no_index;
+    Outer_box m_box; // the tree has none for a primitive, and the patch itself is far away in memory
   };
 
   using Tree = AABB_tree<AABB_traits_for<Kernel, Primitive>>;
@@ -95,7 +126,7 @@ private:
       if(hint.patch == no_index)
         m_foot.patch = 0; // what remains where squared distances overflow
       else
-        m_patches[hint.patch].improve_foot_from(query, m_foot.coordinates, m_squared_distance);
+        m_squared_distance = squared_distance(query, m_patches[hint.patch].point(hint.coordinates));
     }
 
     const Patch_foot& foot() const { return m_foot; }
@@ -104,7 +135,8 @@ private:
 
     void intersection(const Point& query, const Primitive& primitive)
     {
-      if(m_patches[primitive.id()].improve_foot(query, m_foot.coordinates, m_squared_distance))
+      if(primitive.box().squared_distance(query) <= m_squared_distance &&
+         m_patches[primitive.id()].improve_foot(query, m_foot.coordinates, m_squared_distance))
         m_foot.patch = primitive.id();
     }
 

@@ -19,28 +19,52 @@ namespace Polygon_mesh_processing {
 namespace internal {
 namespace vertex_location {
 
-// The distance to the reference of the targets' surface, sampled at the vertices, the midpoints of the edges and the
-// barycenters of the faces. With the weights 1/20, 2/15 and 9/20 these points integrate cubics exactly.
+// The distance to the reference of the surface of the remesh or of the targets, sampled at the vertices, the midpoints of
+// the edges and the barycenters of the faces. With the weights 1/20, 2/15 and 9/20 these points integrate cubics exactly.
 template <typename ReferenceSurface>
 class Sampled_error
 {
   using Foot = typename ReferenceSurface::Foot;
+  using Reference_point = typename ReferenceSurface::Point_3;
   using State = Optimization_state<Foot>;
 
 public:
   Sampled_error(const ReferenceSurface& reference, const State& state) : m_reference(reference), m_state(state) {}
 
+  // samples the remesh, when the state has its samples already, and the targets are its points
   template <typename ConcurrencyTag>
-  void sample()
+  void sample_remesh()
   {
     const Mesh_arrays& mesh = m_state.mesh;
-    m_at_vertex.resize(mesh.points.size());
-    m_at_midpoint.resize(mesh.edges.size());
-    m_at_barycenter.resize(mesh.faces.size());
-    m_opposes.resize(mesh.faces.size());
+    allocate();
+    for_each_index<ConcurrencyTag>(mesh.points.size(), [&](std::size_t i)
+    {
+      m_at_vertex[i] = norm(mesh.points[i] - m_state.vertex_samples.points[i]);
+    });
+    for_each_index<ConcurrencyTag>(mesh.edges.size(), [&](std::size_t e)
+    {
+      m_at_midpoint[e] = norm(mesh.midpoint(e) - m_state.midpoint_samples.points[e]);
+    });
+    for_each_index<ConcurrencyTag>(mesh.faces.size(), [&](std::size_t f) { sample_barycenter(f); });
+  }
+
+  // Samples the targets. Each distance is that to the point where walking from the feet of the last iteration leads, rather
+  // more than less.
+  template <typename ConcurrencyTag>
+  void sample_targets()
+  {
+    const Mesh_arrays& mesh = m_state.mesh;
+    allocate();
     for_each_index<ConcurrencyTag>(mesh.points.size(), [&](std::size_t i) { sample_vertex(i); });
     for_each_index<ConcurrencyTag>(mesh.edges.size(), [&](std::size_t e) { sample_midpoint(e); });
     for_each_index<ConcurrencyTag>(mesh.faces.size(), [&](std::size_t f) { sample_barycenter(f); });
+  }
+
+  // the samples are not needed until they are taken again
+  void free_memory()
+  {
+    for(std::vector<double>* samples : { &m_at_vertex, &m_at_midpoint, &m_at_barycenter })
+      std::vector<double>().swap(*samples);
   }
 
   // samples anew what has changed with the target of vertex i
@@ -82,22 +106,24 @@ public:
     return total_area > 0 ? total / total_area : 0;
   }
 
-  // The largest distance, rather less than more: the best of a lattice where the samples are largest.
-  template <typename ConcurrencyTag>
+  // The largest distance, rather less than more: the best of lattices on some faces, those with the largest samples.
   double maximum() const
   {
     constexpr double near = 0.9;
-    std::vector<double> maxima(m_state.mesh.faces.size());
-    for_each_index<ConcurrencyTag>(maxima.size(), [&](std::size_t f) { maxima[f] = sampled_maximum(f); });
-    if(maxima.empty())
-      return 0;
-    const double sampled = *std::max_element(maxima.begin(), maxima.end());
-    for_each_index<ConcurrencyTag>(maxima.size(), [&](std::size_t f)
+    constexpr int max_faces = 64;
+    std::vector<std::pair<double, std::size_t>> faces; // as a heap, which gives them in decreasing order
+    for(std::size_t f = 0; f < m_state.mesh.faces.size(); ++f)
+      faces.emplace_back(sampled_maximum(f), f);
+    std::make_heap(faces.begin(), faces.end());
+
+    double result = 0;
+    for(int i = 0; i < max_faces && !faces.empty() && faces.front().first > near * result; ++i)
     {
-      if(maxima[f] >= near * sampled)
-        maxima[f] = (std::max)(maxima[f], lattice_maximum(f, m_state.targets).first);
-    });
-    return *std::max_element(maxima.begin(), maxima.end());
+      result = (std::max)(result, lattice_maximum(faces.front().second, m_state.targets).first);
+      std::pop_heap(faces.begin(), faces.end());
+      faces.pop_back();
+    }
+    return result;
   }
 
   // Whether the largest distance on face f is larger than in the remesh, on a lattice or beyond it.
@@ -117,18 +143,39 @@ public:
   {
     constexpr double near = 0.3, nearer = 0.6;
     double sampled = sampled_maximum(f);
-    if(sampled >= near * threshold && sampled < nearer * threshold)
+    if(sampled >= near * threshold && sampled < nearer * threshold && spans_crease(f))
       sampled = (std::max)(sampled, lattice_maximum(f, m_state.targets, 4).first);
     return sampled < nearer * threshold ? sampled : (std::max)(sampled, climb_to_maximum(f, m_state.targets));
   }
 
 private:
+  void allocate()
+  {
+    m_at_vertex.resize(m_state.mesh.points.size());
+    m_at_midpoint.resize(m_state.mesh.edges.size());
+    m_at_barycenter.resize(m_state.mesh.faces.size());
+    m_opposes.resize(m_state.mesh.faces.size());
+  }
+
   std::array<Point, 3> triangle(std::size_t f) const { return triangle(f, m_state.targets); }
 
   std::array<Point, 3> triangle(std::size_t f, const std::vector<Point>& points) const
   {
     const std::array<Index, 3>& v = m_state.mesh.faces[f];
     return { points[v[0]], points[v[1]], points[v[2]] };
+  }
+
+  // whether the reference turns by more than some 40 degrees from the face, or the face from it
+  bool spans_crease(std::size_t f) const
+  {
+    constexpr double cosine = 0.75;
+    const std::array<Point, 3> t = triangle(f);
+    const Vector n = normalized(area_normal(t[0], t[1], t[2]));
+    for(int k = 0; k < 3; ++k)
+      if(n * m_state.vertex_samples.normals[m_state.mesh.faces[f][k]] < cosine ||
+         n * m_state.midpoint_samples.normals[m_state.mesh.face_edges[f][k]] < cosine)
+        return true;
+    return false;
   }
 
   double sampled_maximum(std::size_t f) const
@@ -148,7 +195,7 @@ private:
       for(int j = 0; j <= level - i; ++j)
       {
         const Coordinates x{ double(i) / level, double(j) / level };
-        const double d = distance(point_at(t, x), m_state.vertex_feet[m_state.mesh.faces[f][0]]);
+        const double d = distance(point_at(t, x), m_state.vertex_samples.feet[m_state.mesh.faces[f][0]]);
         if(d > best.first)
           best = { d, x };
       }
@@ -171,7 +218,7 @@ private:
         const Coordinates x{ center.u + step * u, center.v + step * v };
         if(x.u < 0 || x.v < 0 || x.u + x.v > 1)
           continue;
-        const double d = distance(point_at(t, x), m_state.vertex_feet[m_state.mesh.faces[f][0]]);
+        const double d = distance(point_at(t, x), m_state.vertex_samples.feet[m_state.mesh.faces[f][0]]);
         if(d > result)
         {
           result = d;
@@ -184,26 +231,47 @@ private:
 
   double distance(const Point& p, const Foot& hint) const
   {
-    const Foot foot = m_reference.project(convert<typename ReferenceSurface::Point_3>(p), hint);
+    return distance_to_foot(p, m_reference.project(convert<Reference_point>(p), hint));
+  }
+
+  double distance_near(const Point& p, const Foot& hint) const
+  {
+    return distance_to_foot(p, project_near(m_reference, p, hint));
+  }
+
+  double distance_to_foot(const Point& p, const Foot& foot) const
+  {
     return norm(convert<Point>(m_reference.point(foot)) - p);
   }
 
-  void sample_vertex(std::size_t i) { m_at_vertex[i] = distance(m_state.targets[i], m_state.vertex_feet[i]); }
+  void sample_vertex(std::size_t i)
+  {
+    m_at_vertex[i] = distance_near(m_state.targets[i], m_state.vertex_samples.feet[i]);
+  }
 
   void sample_midpoint(std::size_t e)
   {
     const std::array<Index, 2>& v = m_state.mesh.edges[e];
-    m_at_midpoint[e] = distance(midpoint(m_state.targets[v[0]], m_state.targets[v[1]]), m_state.midpoint_feet[e]);
+    m_at_midpoint[e] = distance_near(midpoint(m_state.targets[v[0]], m_state.targets[v[1]]),
+                                     m_state.midpoint_samples.feet[e]);
   }
 
   void sample_barycenter(std::size_t f)
   {
+    constexpr double near = 0.1; // relative to the mean edge length; other sheets are thought to be farther away
     const std::array<Point, 3> t = triangle(f);
+    const Vector n = area_normal(t[0], t[1], t[2]);
     const Point p = point_at(t, Coordinates());
-    const Foot foot = m_reference.project(convert<typename ReferenceSurface::Point_3>(p),
-                                          m_state.midpoint_feet[m_state.mesh.face_edges[f][0]]);
-    m_at_barycenter[f] = norm(convert<Point>(m_reference.point(foot)) - p);
-    m_opposes[f] = area_normal(t[0], t[1], t[2]) * convert<Vector>(m_reference.normal(foot)) < 0;
+    auto set_foot = [&](const Foot& foot)
+    {
+      m_at_barycenter[f] = distance_to_foot(p, foot);
+      m_opposes[f] = n * convert<Vector>(m_reference.normal(foot)) < 0;
+    };
+
+    const Foot foot = project_near(m_reference, p, m_state.midpoint_samples.feet[m_state.mesh.face_edges[f][0]]);
+    set_foot(foot);
+    if(m_opposes[f] || m_at_barycenter[f] > near * m_state.mean_edge_length)
+      set_foot(m_reference.project(convert<Reference_point>(p), foot));
   }
 
   const ReferenceSurface& m_reference;

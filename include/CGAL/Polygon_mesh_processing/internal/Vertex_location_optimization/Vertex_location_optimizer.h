@@ -62,7 +62,7 @@ public:
     : m_state(state), m_reference(reference), m_options(options), m_allow_move(allow_move),
       m_find_self_intersections(find_self_intersections), m_visitor(visitor),
       m_feature_edges(Feature_curves_of<ReferenceSurface>::get(reference), state),
-      m_is_shortened(state.mesh.points.size(), 0)
+      m_harm_criterion(reference, state), m_is_shortened(state.mesh.points.size(), 0)
   {}
 
   Vertex_location_optimization_report run()
@@ -98,22 +98,51 @@ private:
     return true;
   }
 
+  bool is_least_squares() const { return m_options.placement_method == LEAST_SQUARES; }
+  bool is_first() const { return m_report.iterations == 0; }
+  bool is_last() const { return m_has_settled || m_report.iterations + 1 == m_options.number_of_iterations; }
+
   // vertices move freely; later only along the normal
   bool is_free() const { return m_report.iterations < m_options.number_of_free_iterations; }
 
+  // How far off the samples may be before the last iteration. Along the normal a vertex moves over its
+  // foot, and the feet stay as they are when that begins.
+  Sampling_tolerance tolerance() const
+  {
+    const double distance = 0.05 * m_state.mean_edge_length;
+    if(is_least_squares())
+      return { 0.01 * m_state.mean_edge_length, distance, true };
+    const bool is_first_along_normal = m_report.iterations == m_options.number_of_free_iterations;
+    return { is_first_along_normal ? 0 : 0.05 * m_state.mean_edge_length, distance, is_free() };
+  }
+
   void sample()
   {
-    const bool is_first = m_report.iterations == 0;
-    const bool is_last = m_report.iterations + 1 == m_options.number_of_iterations;
-    sample_reference<ConcurrencyTag>(m_reference, m_state, is_first, is_last);
-    if(m_options.placement_method == LEAST_SQUARES)
-      sample_both_surfaces<ConcurrencyTag>(m_reference, m_state, is_first, is_last, m_samples);
+    if(is_first())
+    {
+      start_samples<ConcurrencyTag>(m_reference, tolerance(), m_state);
+      if(is_least_squares())
+        start_both_samples<ConcurrencyTag>(m_reference, tolerance(), m_state, m_samples);
+      m_harm_criterion.template measure_remesh<ConcurrencyTag>();
+    }
+    else if(!is_last())
+    {
+      update_samples<ConcurrencyTag>(m_reference, tolerance(), m_state);
+      if(is_least_squares())
+        update_both_samples<ConcurrencyTag>(m_reference, tolerance(), m_state, m_samples);
+    }
+    if(is_last())
+    {
+      sample_closest_points<ConcurrencyTag>(m_reference, m_state);
+      if(is_least_squares())
+        sample_closest_points_of_both<ConcurrencyTag>(m_reference, m_state, m_samples);
+    }
     m_feature_edges.sample<ConcurrencyTag>(m_state);
   }
 
   void fit()
   {
-    if(m_options.placement_method == LEAST_SQUARES)
+    if(is_least_squares())
       fit_least_squares<ConcurrencyTag>(m_state, m_samples, m_options.regularity_weight);
     else
       fit_piecewise_linear<ConcurrencyTag>(m_state, !is_free());
@@ -125,7 +154,7 @@ private:
   {
     if(!is_free())
       return;
-    if(m_options.placement_method == PIECEWISE_LINEAR)
+    if(!is_least_squares())
       relax_springs<ConcurrencyTag>(m_state, m_options.number_of_relaxation_steps);
     m_feature_edges.relax(m_state, m_options.number_of_relaxation_steps);
   }
@@ -142,7 +171,7 @@ private:
   void take_back()
   {
     m_visitor.start_phase(TAKE_BACK_HARM);
-    take_back_harm<ConcurrencyTag>(m_reference, m_state, [&]() { return refuse_moves(m_state.initial_points); },
+    take_back_harm<ConcurrencyTag>(m_harm_criterion, m_state, [&]() { return refuse_moves(m_state.initial_points); },
                                    m_find_self_intersections, m_is_shortened);
     count_corrected_vertices();
   }
@@ -190,10 +219,12 @@ private:
                                         squared_distance(m_state.mesh.points[i], m_state.targets[i]));
     m_state.mesh.points.swap(m_state.targets);
 
+    m_report.displacement = std::sqrt(squared_displacement);
+    const bool settles = m_report.displacement <= m_options.convergence_threshold * m_state.mean_edge_length;
+    m_report.converged = m_has_settled || (settles && is_last());
+    m_has_settled = settles;
     ++m_report.iterations;
     count_corrected_vertices();
-    m_report.displacement = std::sqrt(squared_displacement);
-    m_report.converged = m_report.displacement <= m_options.convergence_threshold * m_state.mean_edge_length;
   }
 
   void count_corrected_vertices()
@@ -209,7 +240,9 @@ private:
   Visitor& m_visitor;
   Feature_edges m_feature_edges;
   Two_sided_samples<typename ReferenceSurface::Foot> m_samples; // of LEAST_SQUARES
+  Harm_criterion<ReferenceSurface> m_harm_criterion;
   std::vector<char> m_is_shortened;
+  bool m_has_settled = false; // no vertex has moved farther than the threshold
   Vertex_location_optimization_report m_report;
 };
 

@@ -40,12 +40,12 @@ public:
     if(!(m * n > cosine_of_flip * area_before * area_after))
       return true;
 
-    const double sine = sine_of_smallest_angle(after, area_after);
-    if(sine >= sine_of_collapse)
+    const double squared_sine = squared_sine_of_smallest_angle(after, area_after);
+    if(squared_sine >= square(sine_of_collapse))
       return false;
-    const double sine_before = sine_of_smallest_angle(before, area_before);
-    const double cosine_before = std::sqrt((std::max)(0., 1 - sine_before * sine_before));
-    return sine < sine_before / std::sqrt(2 * (1 + cosine_before)); // the sine of half the angle
+    const double squared_sine_before = squared_sine_of_smallest_angle(before, area_before);
+    const double cosine_before = std::sqrt((std::max)(0., 1 - squared_sine_before));
+    return squared_sine < squared_sine_before / (2 * (1 + cosine_before)); // of half the angle
   }
 
   void update(std::size_t) {}
@@ -58,11 +58,10 @@ private:
   }
 
   // the smallest angle is between the two longest sides
-  static double sine_of_smallest_angle(const std::array<Point, 3>& t, const double twice_area)
+  static double squared_sine_of_smallest_angle(const std::array<Point, 3>& t, const double twice_area)
   {
-    std::array<double, 3> sides{ squared_distance(t[0], t[1]), squared_distance(t[1], t[2]), squared_distance(t[2], t[0]) };
-    std::sort(sides.begin(), sides.end());
-    return twice_area / std::sqrt(sides[1] * sides[2]);
+    const double a = squared_distance(t[0], t[1]), b = squared_distance(t[1], t[2]), c = squared_distance(t[2], t[0]);
+    return square(twice_area) / (std::max)({ a * b, b * c, c * a });
   }
 
   const Optimization_state<Foot>& m_state;

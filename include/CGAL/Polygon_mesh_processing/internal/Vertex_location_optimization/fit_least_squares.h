@@ -81,20 +81,20 @@ void add_rows(const Optimization_state<Foot>& state,
   const Index f = c / 3;
   const Point& v = mesh.points[i];
 
-  const Vector& n = state.vertex_normals[i];
-  equations.add_row(area / 20, 1, n, n * (state.vertex_samples[i] - v));
+  const Vector& n = state.vertex_samples.normals[i];
+  equations.add_row(area / 20, 1, n, n * (state.vertex_samples.points[i] - v));
 
   for(Index other : { Mesh_arrays::next(c), Mesh_arrays::previous(c) })
   {
     const Index e = mesh.opposite_edge(other == Mesh_arrays::next(c) ? Mesh_arrays::previous(c) : Mesh_arrays::next(c));
-    const Vector& n_m = samples.midpoint_normals[e];
+    const Vector& n_m = state.midpoint_samples.normals[e];
     equations.add_row(area * 2 / 15, 0.5, n_m,
-                      n_m * (state.midpoint_samples[e] - midpoint(v, mesh.points[mesh.vertex(other)])));
+                      n_m * (state.midpoint_samples.points[e] - midpoint(v, mesh.points[mesh.vertex(other)])));
   }
 
   const std::array<Point, 3> t = mesh.triangle(f);
-  const Vector& n_b = samples.barycenter_normals[f];
-  equations.add_row(area * 9 / 20, 1. / 3, n_b, n_b * (samples.barycenter_samples[f] - centroid(t[0], t[1], t[2])));
+  const Vector& n_b = samples.barycenter_samples.normals[f];
+  equations.add_row(area * 9 / 20, 1. / 3, n_b, n_b * (samples.barycenter_samples.points[f] - centroid(t[0], t[1], t[2])));
 
   for(Index k = samples.first_of_face[f]; k < samples.first_of_face[f + 1]; ++k)
   {

@@ -8,6 +8,8 @@
 
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Optimization_state.h>
 
+#include <vector>
+
 namespace CGAL {
 namespace Polygon_mesh_processing {
 namespace internal {
@@ -30,8 +32,11 @@ template <typename ConcurrencyTag, typename Foot>
 void fit_piecewise_linear(Optimization_state<Foot>& state, const bool along_normal)
 {
   const Mesh_arrays& mesh = state.mesh;
-  const auto p = [&](Index c) -> const Point& { return state.vertex_samples[mesh.vertex(c)]; };
-  const auto m = [&](Index c) -> const Point& { return state.midpoint_samples[mesh.opposite_edge(c)]; };
+  const auto p = [&](Index c) -> const Point& { return state.vertex_samples.points[mesh.vertex(c)]; };
+  const auto m = [&](Index c) -> const Point& { return state.midpoint_samples.points[mesh.opposite_edge(c)]; };
+
+  std::vector<double> areas(mesh.faces.size());
+  for_each_index<ConcurrencyTag>(areas.size(), [&](std::size_t f) { areas[f] = norm(mesh.area_normal(f)) / 2; });
 
   for_each_index<ConcurrencyTag>(mesh.points.size(), [&](std::size_t i)
   {
@@ -43,17 +48,16 @@ void fit_piecewise_linear(Optimization_state<Foot>& state, const bool along_norm
     Vector sum = NULL_VECTOR;
     state.for_each_corner(i, [&](Index c)
     {
-      const double area = norm(mesh.area_normal(c / 3));
-      sum = sum + area * piecewise_linear_update(c, p, m);
-      sum_of_areas += area;
+      sum = sum + areas[c / 3] * piecewise_linear_update(c, p, m);
+      sum_of_areas += areas[c / 3];
     });
     if(!(sum_of_areas > 0))
       return;
 
     Vector update = sum / sum_of_areas; // (2)
     if(along_normal)
-      update = (update * state.vertex_normals[i]) * state.vertex_normals[i];
-    state.targets[i] = state.vertex_samples[i] + update;
+      update = (update * state.vertex_samples.normals[i]) * state.vertex_samples.normals[i];
+    state.targets[i] = state.vertex_samples.points[i] + update;
   });
 }
 

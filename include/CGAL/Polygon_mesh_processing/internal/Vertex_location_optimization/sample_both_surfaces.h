@@ -29,16 +29,12 @@ struct Reference_sample
   Patch_foot foot; // the face of the remesh and the coordinates in it
 };
 
-// What the least squares fit takes beside the samples of the piecewise linear one: the reference's normals at the
-// midpoints, samples at the barycenters of the faces, and samples of the reference itself.
+// What the least squares fit takes beside the samples of the piecewise linear one: samples at the barycenters of the
+// faces, and samples of the reference itself.
 template <typename Foot>
 struct Two_sided_samples
 {
-  std::vector<Vector> midpoint_normals;
-  std::vector<Point> barycenter_samples;
-  std::vector<Vector> barycenter_normals;
-  std::vector<Foot> barycenter_feet;
-  std::vector<double> barycenter_distance_bounds;
+  Reference_samples<Foot> barycenter_samples;
 
   std::vector<Reference_sample> of_reference;
   std::vector<Index> first_of_face; // those of face f are of_reference[by_face[first_of_face[f]]], ...,
@@ -97,14 +93,29 @@ void walk_on_remesh(const Optimization_state<Foot>& state, const Point& query, P
   }
 }
 
-// Finds the closest points of the remesh to the samples of the reference, in the first iteration with a tree, then from
-// the last closest points, and groups the samples by the faces.
+// Groups the samples of the reference by the faces that they are closest to.
+template <typename Foot>
+void group_by_face(const std::size_t number_of_faces, Two_sided_samples<Foot>& samples)
+{
+  const std::vector<Reference_sample>& of_reference = samples.of_reference;
+  samples.first_of_face.assign(number_of_faces + 1, 0);
+  for(const Reference_sample& sample : of_reference)
+    ++samples.first_of_face[sample.foot.patch + 1];
+  for(std::size_t f = 0; f < number_of_faces; ++f)
+    samples.first_of_face[f + 1] += samples.first_of_face[f];
+  samples.by_face.resize(of_reference.size());
+  std::vector<Index> end(samples.first_of_face.begin(), samples.first_of_face.end() - 1);
+  for(Index i = 0; i < of_reference.size(); ++i)
+    samples.by_face[end[of_reference[i].foot.patch]++] = i;
+}
+
+// Finds the closest points of the remesh to the samples of the reference with a tree.
 template <typename ConcurrencyTag, typename Foot>
-void project_reference_samples(const Optimization_state<Foot>& state, const bool is_first, Two_sided_samples<Foot>& samples)
+void find_closest_faces(const Optimization_state<Foot>& state, Two_sided_samples<Foot>& samples)
 {
   const Mesh_arrays& mesh = state.mesh;
   std::vector<Reference_sample>& of_reference = samples.of_reference;
-  if(is_first)
+  if(!of_reference.empty())
   {
     std::vector<Flat_triangle> triangles(mesh.faces.size());
     for(std::size_t f = 0; f < mesh.faces.size(); ++f)
@@ -115,66 +126,68 @@ void project_reference_samples(const Optimization_state<Foot>& state, const bool
       of_reference[i].foot = tree.project(of_reference[i].point);
     });
   }
-  else
-    for_each_index<ConcurrencyTag>(of_reference.size(), [&](std::size_t i)
-    {
-      walk_on_remesh(state, of_reference[i].point, of_reference[i].foot);
-    });
-
-  samples.first_of_face.assign(mesh.faces.size() + 1, 0);
-  for(const Reference_sample& sample : of_reference)
-    ++samples.first_of_face[sample.foot.patch + 1];
-  for(std::size_t f = 0; f < mesh.faces.size(); ++f)
-    samples.first_of_face[f + 1] += samples.first_of_face[f];
-  samples.by_face.resize(of_reference.size());
-  std::vector<Index> end(samples.first_of_face.begin(), samples.first_of_face.end() - 1);
-  for(Index i = 0; i < of_reference.size(); ++i)
-    samples.by_face[end[of_reference[i].foot.patch]++] = i;
+  group_by_face(mesh.faces.size(), samples);
 }
 
-// Takes the samples of both surfaces. Those at the vertices and midpoints are in `state` already.
+// Finds them from the last closest points.
+template <typename ConcurrencyTag, typename Foot>
+void walk_to_closest_faces(const Optimization_state<Foot>& state, Two_sided_samples<Foot>& samples)
+{
+  std::vector<Reference_sample>& of_reference = samples.of_reference;
+  for_each_index<ConcurrencyTag>(of_reference.size(), [&](std::size_t i)
+  {
+    walk_on_remesh(state, of_reference[i].point, of_reference[i].foot);
+  });
+  group_by_face(state.mesh.faces.size(), samples);
+}
+
+// The counterparts of `start_samples()`, `update_samples()` and `sample_closest_points()`. The samples at the vertices and
+// midpoints are in `state` already.
 template <typename ConcurrencyTag, typename ReferenceSurface>
-void sample_both_surfaces(const ReferenceSurface& reference,
-                          const Optimization_state<typename ReferenceSurface::Foot>& state,
-                          const bool is_first,
-                          const bool is_exact,
-                          Two_sided_samples<typename ReferenceSurface::Foot>& samples)
+void start_both_samples(const ReferenceSurface& reference,
+                        const Sampling_tolerance& tolerance,
+                        const Optimization_state<typename ReferenceSurface::Foot>& state,
+                        Two_sided_samples<typename ReferenceSurface::Foot>& samples)
 {
   const Mesh_arrays& mesh = state.mesh;
-  if(is_first)
-  {
-    samples.midpoint_normals.resize(mesh.edges.size());
-    samples.barycenter_samples.resize(mesh.faces.size());
-    samples.barycenter_normals.resize(mesh.faces.size());
-    samples.barycenter_feet.resize(mesh.faces.size());
-    samples.barycenter_distance_bounds.assign(mesh.faces.size(), -1);
-    choose_reference_samples(reference, mesh.faces.size(), samples);
-  }
-
-  for_each_index<ConcurrencyTag>(mesh.edges.size(), [&](std::size_t e)
-  {
-    samples.midpoint_normals[e] = convert<Vector>(reference.normal(state.midpoint_feet[e]));
-  });
-
-  const std::vector<Point>& previous_points = state.targets;
-  const double tolerance = is_first || is_exact ? 0 : state.foot_tolerance();
+  samples.barycenter_samples = Reference_samples<typename ReferenceSurface::Foot>(mesh.faces.size());
   for_each_index<ConcurrencyTag>(mesh.faces.size(), [&](std::size_t f)
   {
-    auto& foot = samples.barycenter_feet[f];
-    if(is_first)
-      foot = state.midpoint_feet[mesh.face_edges[f][0]];
-    const std::array<Index, 3>& v = mesh.faces[f];
-    const Point query = centroid(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]]);
-    const Point previous = centroid(previous_points[v[0]], previous_points[v[1]], previous_points[v[2]]);
-    samples.barycenter_samples[f] = update_foot(reference, query, norm(query - previous), tolerance, foot,
-                                                samples.barycenter_distance_bounds[f]);
-    samples.barycenter_normals[f] = convert<Vector>(reference.normal(foot));
+    samples.barycenter_samples.project_near(f, reference, tolerance.distance, mesh.barycenter(f),
+                                            state.midpoint_samples.feet[mesh.face_edges[f][0]]);
   });
+  choose_reference_samples(reference, mesh.faces.size(), samples);
+  find_closest_faces<ConcurrencyTag>(state, samples);
+}
 
-  if(!samples.of_reference.empty())
-    project_reference_samples<ConcurrencyTag>(state, is_first, samples);
-  else
-    samples.first_of_face.assign(mesh.faces.size() + 1, 0);
+template <typename ConcurrencyTag, typename ReferenceSurface>
+void update_both_samples(const ReferenceSurface& reference,
+                         const Sampling_tolerance& tolerance,
+                         const Optimization_state<typename ReferenceSurface::Foot>& state,
+                         Two_sided_samples<typename ReferenceSurface::Foot>& samples)
+{
+  const Mesh_arrays& mesh = state.mesh;
+  for_each_index<ConcurrencyTag>(mesh.faces.size(), [&](std::size_t f)
+  {
+    Vector displacement = NULL_VECTOR;
+    for(Index i : mesh.faces[f])
+      displacement = displacement + state.last_displacement(i) / 3;
+    samples.barycenter_samples.update(f, reference, tolerance, mesh.barycenter(f), displacement);
+  });
+  walk_to_closest_faces<ConcurrencyTag>(state, samples);
+}
+
+template <typename ConcurrencyTag, typename ReferenceSurface>
+void sample_closest_points_of_both(const ReferenceSurface& reference,
+                                   const Optimization_state<typename ReferenceSurface::Foot>& state,
+                                   Two_sided_samples<typename ReferenceSurface::Foot>& samples)
+{
+  const Mesh_arrays& mesh = state.mesh;
+  for_each_index<ConcurrencyTag>(mesh.faces.size(), [&](std::size_t f)
+  {
+    samples.barycenter_samples.project(f, reference, mesh.barycenter(f), samples.barycenter_samples.feet[f]);
+  });
+  walk_to_closest_faces<ConcurrencyTag>(state, samples);
 }
 
 } // namespace vertex_location

@@ -19,13 +19,6 @@ namespace Polygon_mesh_processing {
 namespace internal {
 namespace vertex_location {
 
-// What a face of the remesh is compared with.
-struct Face_quality
-{
-  double integral_of_error;
-  bool opposes_reference;
-};
-
 // A face is bad if it is flipped, if it opposes the reference and did not, or if its largest error exceeds that of the
 // remesh, less a margin for what lies between the samples, and its own in the remesh; if the criterion is strict, also if
 // it has more error in all than in the remesh. A face whose vertices have not moved is not bad.
@@ -35,21 +28,40 @@ class Harm_criterion
   using State = Optimization_state<typename ReferenceSurface::Foot>;
 
 public:
-  // measures the remesh, which are the targets at the time of the call
+  Harm_criterion(const ReferenceSurface& reference, const State& state)
+    : m_state(state), m_flips(state), m_error(reference, state)
+  {}
+
+  // takes the remesh, in the first iteration when it has been sampled, to compare with
   template <typename ConcurrencyTag>
-  static Harm_criterion of_remesh(Sampled_error<ReferenceSurface>& error, const State& state, ConcurrencyTag)
+  void measure_remesh()
   {
-    Harm_criterion result(error, state);
-    error.template sample<ConcurrencyTag>();
-    result.m_of_remesh.resize(state.mesh.faces.size());
-    result.m_mean_error = error.template mean<ConcurrencyTag>();
     constexpr double margin = 0.98; // for what lies between the samples
-    result.m_max_error = margin * error.template maximum<ConcurrencyTag>();
-    for_each_index<ConcurrencyTag>(state.mesh.faces.size(), [&](std::size_t f)
+    m_error.template sample_remesh<ConcurrencyTag>();
+    m_mean_of_remesh = m_error.template mean<ConcurrencyTag>();
+    m_max_error = margin * m_error.maximum();
+    m_integrals_of_remesh.resize(m_state.mesh.faces.size());
+    m_opposed_in_remesh.resize(m_state.mesh.faces.size());
+    for_each_index<ConcurrencyTag>(m_state.mesh.faces.size(), [&](std::size_t f)
     {
-      result.m_of_remesh[f] = { error.integral(f), error.opposes_reference(f) };
+      m_integrals_of_remesh[f] = m_error.integral(f);
+      m_opposed_in_remesh[f] = m_error.opposes_reference(f);
     });
-    return result;
+    m_error.free_memory();
+  }
+
+  // measures the targets
+  template <typename ConcurrencyTag>
+  void measure_targets()
+  {
+    m_error.template sample_targets<ConcurrencyTag>();
+  }
+
+  // whether the targets' mean error is above that of the remesh
+  template <typename ConcurrencyTag>
+  bool is_mean_bad() const
+  {
+    return !(m_error.template mean<ConcurrencyTag>() <= m_mean_of_remesh);
   }
 
   bool is_bad(std::size_t f) const
@@ -57,22 +69,17 @@ public:
     if(!has_moved(f))
       return false;
     return m_flips.is_bad(f) ||
-           (m_error.opposes_reference(f) && !m_of_remesh[f].opposes_reference) ||
-           (m_is_strict && m_error.integral(f) > m_of_remesh[f].integral_of_error) ||
+           (m_error.opposes_reference(f) && !m_opposed_in_remesh[f]) ||
+           (m_is_strict && m_error.integral(f) > m_integrals_of_remesh[f]) ||
            (!(m_error.maximum(f, m_max_error) <= m_max_error) && m_error.has_grown(f));
   }
 
   void update(std::size_t i) { m_error.update(i); }
 
-  double mean_error() const { return m_mean_error; } // of the remesh
   void make_strict() { m_is_strict = true; }
   bool is_strict() const { return m_is_strict; }
 
 private:
-  Harm_criterion(Sampled_error<ReferenceSurface>& error, const State& state)
-    : m_state(state), m_flips(state), m_error(error)
-  {}
-
   bool has_moved(std::size_t f) const
   {
     for(Index i : m_state.mesh.faces[f])
@@ -83,9 +90,10 @@ private:
 
   const State& m_state;
   Flip_criterion<typename ReferenceSurface::Foot> m_flips;
-  Sampled_error<ReferenceSurface>& m_error;
-  std::vector<Face_quality> m_of_remesh;
-  double m_mean_error = 0;
+  Sampled_error<ReferenceSurface> m_error;
+  std::vector<double> m_integrals_of_remesh; // of the error over each face
+  std::vector<char> m_opposed_in_remesh;     // whether each face opposes the reference
+  double m_mean_of_remesh = 0;
   double m_max_error = 0; // what a face must not exceed
   bool m_is_strict = false;
 };
@@ -126,15 +134,12 @@ bool separate_faces(Optimization_state<Foot>& state,
 // `refuse_moves` takes back the moves that the user does not allow, and returns whether there were any;
 // `find_self_intersections` is a `Self_intersection_test`.
 template <typename ConcurrencyTag, typename ReferenceSurface, typename RefuseMoves, typename FindSelfIntersections>
-void take_back_harm(const ReferenceSurface& reference,
+void take_back_harm(Harm_criterion<ReferenceSurface>& criterion,
                     Optimization_state<typename ReferenceSurface::Foot>& state,
                     const RefuseMoves& refuse_moves,
                     const FindSelfIntersections& find_self_intersections,
                     std::vector<char>& is_shortened)
 {
-  Sampled_error<ReferenceSurface> error(reference, state);
-  state.targets = state.initial_points;
-  auto criterion = Harm_criterion<ReferenceSurface>::of_remesh(error, state, ConcurrencyTag());
   const auto intersections_of_remesh = find_self_intersections(state.initial_points);
 
   state.targets = state.mesh.points;
@@ -143,12 +148,12 @@ void take_back_harm(const ReferenceSurface& reference,
   {
     do
     {
-      error.template sample<ConcurrencyTag>();
+      criterion.template measure_targets<ConcurrencyTag>();
       shorten_moves<ConcurrencyTag>(state, state.initial_points, criterion, is_shortened);
     }
     while(refuse_moves());
 
-    if(!(error.template mean<ConcurrencyTag>() <= criterion.mean_error()))
+    if(criterion.template is_mean_bad<ConcurrencyTag>())
     {
       if(criterion.is_strict()) // no face has more error, but their areas have changed
       {

@@ -58,6 +58,21 @@ void test_defaults(const Input& input)
                   parameters::vertex_point_map(input.reference.points()).geom_traits(Kernel())) == expected);
 }
 
+// A visitor as a user writes it: it need not derive from the default one, and cannot be copied.
+struct Counting_visitor
+{
+  explicit Counting_visitor(std::size_t max_phases = 1000) : max_phases(max_phases) {}
+  Counting_visitor(const Counting_visitor&) = delete;
+
+  void start_phase(PMP::Vertex_location_optimization_phase phase) { phases.push_back(phase); }
+  void end_iteration(const Report& report) { reports.push_back(report); }
+  bool go_further() { return phases.size() < max_phases; }
+
+  std::size_t max_phases;
+  std::vector<PMP::Vertex_location_optimization_phase> phases;
+  std::vector<Report> reports;
+};
+
 void test_numbers(const Input& input)
 {
   start_topic("number_of_iterations");
@@ -74,7 +89,8 @@ void test_numbers(const Input& input)
   CHECK_LESS(report.displacement, 0.1);
 
   start_topic("displacement is that of the last iteration");
-  const std::vector<Point> after_4 = optimized(input.mesh, input.reference, parameters::number_of_iterations(4));
+  Counting_visitor visitor(4 * 4); // which stops before the fifth iteration
+  const std::vector<Point> after_4 = optimized(input.mesh, input.reference, parameters::visitor(std::ref(visitor)));
   CHECK_NEAR(report.displacement, largest_distance(after_4, points_of(mesh)), 1e-12);
 
   start_topic("convergence_threshold, relative to the mean edge length");
@@ -264,21 +280,6 @@ void test_allow_move_functor(const Input& input)
   CHECK_AT_LEAST(largest_distance(optimized(input.mesh, input.reference, parameters::default_values()), before), limit);
 }
 
-// A visitor as a user writes it: it need not derive from the default one, and cannot be copied.
-struct Counting_visitor
-{
-  explicit Counting_visitor(std::size_t max_phases = 1000) : max_phases(max_phases) {}
-  Counting_visitor(const Counting_visitor&) = delete;
-
-  void start_phase(PMP::Vertex_location_optimization_phase phase) { phases.push_back(phase); }
-  void end_iteration(const Report& report) { reports.push_back(report); }
-  bool go_further() { return phases.size() < max_phases; }
-
-  std::size_t max_phases;
-  std::vector<PMP::Vertex_location_optimization_phase> phases;
-  std::vector<Report> reports;
-};
-
 constexpr PMP::Vertex_location_optimization_phase phases_of_iteration[] = { PMP::SAMPLE_REFERENCE, PMP::FIT_VERTICES,
                                                                             PMP::RELAX_VERTICES, PMP::CORRECT_FLIPS };
 
@@ -304,6 +305,7 @@ void test_visitor(const Input& input)
 void test_cancelling(const Input& input)
 {
   start_topic("A visitor can stop the run in any phase, with the result of the last complete iteration");
+  std::vector<Point> result;
   for(std::size_t number_of_phases = 0; number_of_phases <= 12; ++number_of_phases)
   {
     const std::size_t iterations = number_of_phases / 4;
@@ -314,8 +316,15 @@ void test_cancelling(const Input& input)
     CHECK(!report.converged);
     CHECK_EQUAL(visitor.reports.size(), iterations);
     CHECK_EQUAL(visitor.phases.size(), number_of_phases + (iterations > 0));
-    CHECK_AT_MOST(largest_distance(points_of(mesh), optimized(input.mesh, input.reference,
-                                                              parameters::number_of_iterations(iterations))), 1e-9);
+    if(number_of_phases % 4 == 0)
+    {
+      // only the last iteration of a run that is not stopped has the closest points themselves
+      result = points_of(mesh);
+      const std::vector<Point> run = optimized(input.mesh, input.reference, parameters::number_of_iterations(iterations));
+      CHECK_AT_MOST(largest_distance(result, run), 1e-3);
+    }
+    else
+      CHECK(points_of(mesh) == result);
   }
 }
 

@@ -39,6 +39,7 @@ struct Two_sided_samples
   std::vector<Reference_sample> of_reference;
   std::vector<Index> first_of_face; // those of face f are of_reference[by_face[first_of_face[f]]], ...,
   std::vector<Index> by_face;       // of_reference[by_face[first_of_face[f + 1] - 1]]
+  std::vector<double> face_paths;   // how far the vertices of each face have gone since its samples were computed
 };
 
 template <typename Surface, typename = void>
@@ -126,19 +127,34 @@ void find_closest_faces(const Optimization_state<Foot>& state, Two_sided_samples
       of_reference[i].foot = tree.project(of_reference[i].point);
     });
   }
+  samples.face_paths.assign(mesh.faces.size(), 0);
   group_by_face(mesh.faces.size(), samples);
 }
 
-// Finds them from the last closest points.
+// Finds them from the last closest points, but keeps those of faces whose vertices have gone no farther than `tolerance`.
 template <typename ConcurrencyTag, typename Foot>
-void walk_to_closest_faces(const Optimization_state<Foot>& state, Two_sided_samples<Foot>& samples)
+void walk_to_closest_faces(const Optimization_state<Foot>& state,
+                           const double tolerance,
+                           Two_sided_samples<Foot>& samples)
 {
+  const Mesh_arrays& mesh = state.mesh;
   std::vector<Reference_sample>& of_reference = samples.of_reference;
+  std::vector<double>& paths = samples.face_paths;
+  for_each_index<ConcurrencyTag>(mesh.faces.size(), [&](std::size_t f)
+  {
+    const std::array<Index, 3>& v = mesh.faces[f];
+    if(paths[f] > tolerance) // its samples were computed in the last iteration
+      paths[f] = 0;
+    paths[f] += (std::max)({ norm(state.last_displacement(v[0])), norm(state.last_displacement(v[1])),
+                             norm(state.last_displacement(v[2])) });
+  });
   for_each_index<ConcurrencyTag>(of_reference.size(), [&](std::size_t i)
   {
-    walk_on_remesh(state, of_reference[i].point, of_reference[i].foot);
+    Reference_sample& sample = of_reference[i];
+    if(paths[sample.foot.patch] > tolerance)
+      walk_on_remesh(state, sample.point, sample.foot);
   });
-  group_by_face(state.mesh.faces.size(), samples);
+  group_by_face(mesh.faces.size(), samples);
 }
 
 // The counterparts of `start_samples()`, `update_samples()` and `sample_closest_points()`. The samples at the vertices and
@@ -174,7 +190,7 @@ void update_both_samples(const ReferenceSurface& reference,
       displacement = displacement + state.last_displacement(i) / 3;
     samples.barycenter_samples.update(f, reference, tolerance, mesh.barycenter(f), displacement);
   });
-  walk_to_closest_faces<ConcurrencyTag>(state, samples);
+  walk_to_closest_faces<ConcurrencyTag>(state, tolerance.path, samples);
 }
 
 template <typename ConcurrencyTag, typename ReferenceSurface>
@@ -187,7 +203,7 @@ void sample_closest_points_of_both(const ReferenceSurface& reference,
   {
     samples.barycenter_samples.project(f, reference, mesh.barycenter(f), samples.barycenter_samples.feet[f]);
   });
-  walk_to_closest_faces<ConcurrencyTag>(state, samples);
+  walk_to_closest_faces<ConcurrencyTag>(state, -1, samples); // all
 }
 
 } // namespace vertex_location

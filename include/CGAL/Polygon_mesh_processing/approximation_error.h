@@ -259,7 +259,8 @@ Approximation_error approximation_error(const TriangleMesh& tmesh,
  * \pre the reference has a face, unless `tmesh` has no vertex
  *
  * \return the mean angle in degrees. Where one of the two normals has no direction nothing is counted; `0` if nothing is
- *         counted at all. `180` if a precondition is violated and not checked.
+ *         counted at all. `180` if a precondition is violated and not checked, and where coordinates are so large that
+ *         areas overflow.
  *
  * \sa `CGAL::Polygon_mesh_processing::optimize_vertex_normals()`
  * \sa `CGAL::Polygon_mesh_processing::approximation_error()`

@@ -67,7 +67,10 @@ double measure_corner_normals(const Mesh_arrays& mesh,
     const double area_of_sample = norm(mesh.area_normal(f)) / (2. * count);
     return Angle_integral{ area_of_sample * face.area, area_of_sample * face.angle };
   });
-  return sum.area > 0 ? sum.angle / sum.area * 180 / CGAL_PI : 0;
+  if(sum.area == 0)
+    return 0;
+  const double mean = sum.angle / sum.area * 180 / CGAL_PI;
+  return std::isnan(mean) ? 180 : mean; // the areas overflow
 }
 
 template <typename ConcurrencyTag>

@@ -22,9 +22,9 @@
 //
 //   sum_s w_s |x_s - q_s|^2  +  regularity_weight * sum_i a_i |(L v)_i - n_i n_i^T (L v')_i|^2
 //
-// over v. w_s and a_i are areas, L is the uniform Laplacian, v' are the vertices before and n_i normals of the reference:
-// the second term evens the triangles along the surface, but does not shrink it. The areas are those of the remesh, so
-// that the matrix is the same for all iterations and is factorized once.
+// over v. w_s and a_i are areas, L is the uniform Laplacian, v' are the vertices before and n_i normals of the
+// reference: the second term evens the triangles along the surface, but does not shrink it. The areas are those of the
+// remesh, so that the matrix is the same for all iterations and is factorized once.
 template <typename Point, typename ReferenceSurface>
 class Sparse_least_squares
 {
@@ -47,8 +47,8 @@ public:
     assemble(regularity_weight);
   }
 
-  // Each iteration takes the closest points to the samples and solves the system. Returns false, with the mesh as it was,
-  // if the system is singular.
+  // Each iteration takes the closest points to the samples and solves the system. Returns false, with the mesh as it
+  // was, if the system is singular.
   bool run(std::size_t number_of_iterations)
   {
     const Matrix of_free = m_matrix.leftCols(m_number_of_free);
@@ -158,7 +158,8 @@ private:
   Eigen::VectorXd m_weights; // of its rows
 };
 
-// Fits `mesh` to `reference` with as many iterations as `optimize_vertex_locations()`; false, with `mesh` as it was, if that cannot be done.
+// Fits `mesh` to `reference`, with as many iterations as `optimize_vertex_locations()`. Returns false, with `mesh` as
+// it was, if that cannot be done.
 template <typename Point, typename ReferenceSurface, typename IsFixed>
 bool fit_sparse_least_squares(CGAL::Surface_mesh<Point>& mesh,
                               const ReferenceSurface& reference,

@@ -10,6 +10,7 @@
 #include <CGAL/Orthogonal_k_neighbor_search.h>
 #include <CGAL/Polygon_mesh_processing/distance.h>
 #include <CGAL/property_map.h>
+#include <CGAL/Random.h>
 #include <CGAL/Search_traits_3.h>
 #include <CGAL/Search_traits_adapter.h>
 #include <CGAL/Surface_mesh.h>
@@ -64,14 +65,14 @@ void relax_with_Lloyd(CGAL::Surface_mesh<Point>& mesh,
   using Traits = CGAL::Search_traits_adapter<Vertex, Point_map, CGAL::Search_traits_3<Kernel>>;
   using Search = CGAL::Orthogonal_k_neighbor_search<Traits>;
 
+  CGAL::get_default_random() = CGAL::Random(0); // which the sampling uses, whatever its parameter says
   constexpr std::size_t samples_per_vertex = 50;
   std::vector<Point> samples;
   CGAL::Polygon_mesh_processing::sample_triangle_mesh(
       input, std::back_inserter(samples),
       CGAL::parameters::number_of_points_on_faces(samples_per_vertex * mesh.number_of_vertices())
           .do_sample_vertices(false)
-          .do_sample_edges(false)
-          .random_seed(0));
+          .do_sample_edges(false));
 
   for(std::size_t i = 0; i < number_of_iterations; ++i)
   {

@@ -8,7 +8,7 @@
 //   quality [DIRECTORY...]
 //
 // The models are those of CGAL's data, and lucy.off and david.off of the paper, where a directory has them. Prints the
-// tables, with the figures of the paper beside; writes them to quality.csv, and the figure to figure_6_MODEL.svg.
+// tables, with the figures of the paper beside; writes them to quality.csv, and the figure to error_by_vertices_MODEL.svg.
 //
 // Four numbers in a row are those of the remesh, of the two placement methods, and of a least squares fit as one sparse
 // linear system. Distances are in 1e-4 of the longest side of the bounding box.
@@ -49,7 +49,7 @@ void make_table_1(const std::vector<std::string>& directories, std::ostream& csv
 void draw_figure_6(const std::vector<Row>& rows)
 {
   const std::string& name = rows.front().model;
-  Log_log_plot plot(name, "vertices", "mean error");
+  Log_log_plot plot(name, "vertices", "mean error, in 1/10000 of the size");
   for(const auto& [method, color] :
       { std::pair(REMESH, "#c00000"), std::pair(PIECEWISE_LINEAR, "#0050c0"), std::pair(LEAST_SQUARES, "#008000") })
   {
@@ -58,7 +58,7 @@ void draw_figure_6(const std::vector<Row>& rows)
       points.emplace_back(row.number_of_vertices, row.measures[method].mean);
     plot.add_curve(method_names[method], color, points);
   }
-  std::ofstream out("figure_6_" + name + ".svg");
+  std::ofstream out("error_by_vertices_" + name + ".svg");
   plot.write(out);
 }
 

@@ -17,7 +17,6 @@
 
 #include <cstddef>
 #include <iterator>
-#include <tuple>
 #include <vector>
 
 // Flips the edges of which the angles on both sides are more than 180 degrees together, as long as there are some; not

@@ -15,7 +15,7 @@ work=$build_dir/figures
 mkdir -p "$figures" "$work"
 
 configure
-cmake --build "$build_dir" -j "$jobs" --target optimize_remesh optimize_vertex_normals_example
+cmake --build "$build_dir" -j "$jobs" --target optimize_remesh optimize_vertex_normals_example quality
 
 # draw_errors MODEL "OPTIONS" [OPTION...]: the errors before and after; OPTIONS are those of optimize_remesh, the others
 # those of f3d
@@ -50,6 +50,10 @@ draw_errors bunny00 "--edge-length 0.05" --edges
 draw_errors fandisk "--edge-length 0.04 --crease-angle 40 --relax-constraints --reference flat" --edges \
   --camera-azimuth-angle=30 --camera-elevation-angle=20 --camera-view-angle=27
 draw_normals armadillo 2.7 --camera-azimuth-angle=180
+
+# the errors of remeshes with more and more vertices: the whole benchmark, which takes a quarter of an hour
+(cd "$work" && "$build_dir/benchmark/Vertex_location_optimization/quality")
+cp "$work/error_by_vertices_armadillo.svg" "$figures"
 
 # the package's picture in the overview of CGAL, without titles and scale
 convert "$figures/errors_bunny00.png" +repage -gravity south -chop 0x80 -gravity north -chop 0x45 -resize 420x +dither -colors 64 -strip \

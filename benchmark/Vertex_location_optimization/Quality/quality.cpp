@@ -3,153 +3,115 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Remeshes models, optimizes the remeshes with both placement methods, and prints the errors and the deviations of the
-// normals as the two tables of RESULTS.md:
+// Reproduces Table 1, Table 2 and Figure 6 of "Vertex Location Optimisation for Improved Remeshing":
 //
-//   quality [DIRECTORY]
+//   quality [DIRECTORY...]
 //
-// The models are CGAL's data; a lucy.off in DIRECTORY is measured, too.
+// The models are those of CGAL's data, and lucy.off and david.off of the paper, where a directory has them. Prints the
+// tables, with the figures of the paper beside; writes them to quality.csv, and the figure to error_by_vertices_MODEL.svg.
+//
+// Four numbers in a row are those of the remesh, of the two placement methods, and of a least squares fit as one sparse
+// linear system. Distances are in 1e-4 of the longest side of the bounding box.
 
-#include <CGAL/Polygon_mesh_processing/approximation_error.h>
-#include <CGAL/Polygon_mesh_processing/Flat_triangle_surface.h>
-#include <CGAL/Polygon_mesh_processing/optimize_vertex_locations.h>
-#include <CGAL/Polygon_mesh_processing/optimize_vertex_normals.h>
+#include "measures.h"
+#include "models.h"
+#include "normals.h"
+#include "plot.h"
+#include "remeshers.h"
+#include "tables.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/bbox.h>
-#include <CGAL/Polygon_mesh_processing/compute_normal.h>
-#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
-#include <CGAL/Polygon_mesh_processing/remesh.h>
-#include <CGAL/Real_timer.h>
-#include <CGAL/Surface_mesh.h>
-
-#include <algorithm>
-#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <stdexcept>
 #include <string>
-#include <tuple>
+#include <utility>
 #include <vector>
 
-namespace PMP = CGAL::Polygon_mesh_processing;
-
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-using Surface = PMP::PN_triangle_surface<Mesh>;
-using Tag = CGAL::Parallel_if_available_tag;
-
-struct Model
+void make_table_1(const std::vector<std::string>& directories, std::ostream& csv)
 {
-  std::string name;
-  std::string file;
-  double edge_length; // relative to the longest side of the bounding box
-};
-
-double longest_side(const Mesh& mesh)
-{
-  const CGAL::Bbox_3 box = PMP::bbox(mesh);
-  return (std::max)({ box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin() });
-}
-
-struct Angles
-{
-  double mean = 0;
-  double smallest = 180;
-};
-
-Angles smallest_angles(const Mesh& mesh)
-{
-  Angles angles;
-  for(Mesh::Face_index f : mesh.faces())
+  std::vector<Row> rows;
+  for(const Model& model : models_of_table_1(directories))
   {
-    const auto h = mesh.halfedge(f);
-    const auto &p = mesh.point(mesh.source(h)), &q = mesh.point(mesh.target(h)), &r = mesh.point(mesh.target(mesh.next(h)));
-    const double angle = (std::min)({ CGAL::approximate_angle(p, q, r), CGAL::approximate_angle(q, r, p),
-                                      CGAL::approximate_angle(r, p, q) });
-    angles.mean += angle / mesh.number_of_faces();
-    angles.smallest = (std::min)(angles.smallest, angle);
+    std::cerr << model.name << std::endl;
+    const std::vector<Row> of_model =
+        with_reference(model, [&](const auto& reference) { return measure_remeshers(model, reference); });
+    write_CSV(csv, of_model);
+    rows.insert(rows.end(), of_model.begin(), of_model.end());
   }
-  return angles;
+  std::cout << "Table 1: remeshes of several remeshers\n\n";
+  print_errors(std::cout, rows);
+  print_costs(std::cout, rows);
 }
 
-void print_errors(const std::string& name, const char* what, const Mesh& mesh, const Mesh& input, const Surface& surface,
-                  double unit, double seconds)
+void draw_figure_6(const std::vector<Row>& rows)
 {
-  const PMP::Approximation_error to = PMP::approximation_error<Tag>(mesh, surface);
-  const PMP::Approximation_error back =
-    PMP::approximation_error<Tag>(input, PMP::Flat_triangle_surface<Mesh>(mesh), CGAL::parameters::number_of_points_per_face(4));
-  const Angles angles = smallest_angles(mesh);
-  std::printf("| %s | %s | %zu | %.2f | %.1f | %.2f | %.1f | %.1f | %.1f | %.2f |\n", name.c_str(), what,
-              std::size_t(mesh.number_of_vertices()), to.mean / unit, to.max / unit, back.mean / unit, back.max / unit,
-              angles.mean, angles.smallest, seconds);
-  std::fflush(stdout);
-}
-
-void measure(const Model& model, std::string& normals_table)
-{
-  Mesh input;
-  if(!PMP::IO::read_polygon_mesh(model.file, input))
+  const std::string& name = rows.front().model;
+  Log_log_plot plot(name, "vertices", "mean error, in 1/10000 of the size");
+  for(const auto& [method, color] :
+      { std::pair(REMESH, "#c00000"), std::pair(PIECEWISE_LINEAR, "#0050c0"), std::pair(LEAST_SQUARES, "#008000") })
   {
-    std::fprintf(stderr, "%s cannot be read\n", model.file.c_str());
-    return;
+    std::vector<std::pair<double, double>> points;
+    for(const Row& row : rows)
+      points.emplace_back(row.number_of_vertices, row.measures[method].mean);
+    plot.add_curve(method_names[method], color, points);
   }
-  const double unit = 1e-4 * longest_side(input);
-  CGAL::Real_timer timer;
-
-  Mesh remesh = input;
-  timer.start();
-  PMP::isotropic_remeshing(faces(remesh), model.edge_length * longest_side(input), remesh,
-                           CGAL::parameters::number_of_iterations(10).number_of_relaxation_steps(3));
-  timer.stop();
-  remesh.collect_garbage();
-  const Surface surface(input);
-  print_errors(model.name, "remesh", remesh, input, surface, unit, timer.time());
-
-  Mesh fitted, least_squares;
-  for(auto [mesh, method, name] : { std::tuple(&fitted, PMP::PIECEWISE_LINEAR, "piecewise linear"),
-                                    std::tuple(&least_squares, PMP::LEAST_SQUARES, "least squares") })
-  {
-    *mesh = remesh;
-    timer.reset();
-    timer.start();
-    PMP::optimize_vertex_locations<Tag>(*mesh, surface, CGAL::parameters::placement_method(method));
-    timer.stop();
-    print_errors(model.name, name, *mesh, input, surface, unit, timer.time());
-  }
-
-  auto own = fitted.add_property_map<Mesh::Vertex_index, Kernel::Vector_3>("v:own").first;
-  auto sampled = fitted.add_property_map<Mesh::Vertex_index, Kernel::Vector_3>("v:sampled").first;
-  auto optimized = fitted.add_property_map<Mesh::Vertex_index, Kernel::Vector_3>("v:optimized").first;
-  PMP::compute_vertex_normals(fitted, own);
-  for(Mesh::Vertex_index v : fitted.vertices())
-    sampled[v] = surface.normal(surface.project(fitted.point(v)));
-  PMP::optimize_vertex_normals<Tag>(fitted, surface, optimized);
-  char row[200];
-  std::snprintf(row, sizeof row, "| %s | %.2f | %.2f | %.2f | %.2f | %.2f |\n", model.name.c_str(),
-                PMP::normal_deviation<Tag>(remesh, surface), PMP::normal_deviation<Tag>(fitted, surface),
-                PMP::normal_deviation<Tag>(fitted, surface, own), PMP::normal_deviation<Tag>(fitted, surface, sampled),
-                PMP::normal_deviation<Tag>(fitted, surface, optimized));
-  normals_table += row;
+  std::ofstream out("error_by_vertices_" + name + ".svg");
+  plot.write(out);
 }
 
-int main(int argc, char** argv)
+void make_table_2(const std::vector<std::string>& directories, std::ostream& csv)
 {
-  auto data = [](const char* name, double edge_length)
+  for(auto& [model, edge_lengths] : models_of_table_2(directories))
   {
-    char length[20];
-    std::snprintf(length, sizeof length, " %g", edge_length);
-    return Model{ name + std::string(length), CGAL::data_file_path("meshes/" + std::string(name) + ".off"), edge_length };
-  };
-  std::vector<Model> models{ data("armadillo", 0.012), data("armadillo", 0.03), data("bunny00", 0.02),
-                             data("bunny00", 0.05), data("refined_elephant", 0.025), data("elephant", 0.03),
-                             data("knot1", 0.04), data("hand", 0.05), data("lion-head", 0.03),
-                             data("ChineseDragon-10kv", 0.025) };
-  if(argc > 1)
-    models.push_back({ "lucy 0.0098", argv[1] + std::string("/lucy.off"), 0.0098 });
+    std::cerr << model.name << " with " << edge_lengths.size() << " edge lengths" << std::endl;
+    const PMP::PN_triangle_surface<Mesh> reference(model.input);
+    std::vector<Row> rows;
+    for(double edge_length : edge_lengths)
+    {
+      model.edge_length = edge_length;
+      rows.push_back(measure_isotropic_remesh(model, reference));
+    }
+    write_CSV(csv, rows);
+    std::cout << "Table 2 and Figure 6: " << model.name << " with several edge lengths\n\n";
+    print_errors(std::cout, rows);
+    print_costs(std::cout, rows);
+    print_fewer_vertices(std::cout, rows);
+    draw_figure_6(rows);
+  }
+}
 
-  std::printf("| model | mesh | vertices | mean | max | mean back | max back | mean angle | smallest | seconds |\n"
-              "|---|---|---|---|---|---|---|---|---|---|\n");
-  std::string normals_table;
-  for(const Model& model : models)
-    measure(model, normals_table);
-  std::printf("\n| model | faces of the remesh | faces | own vertex normals | sampled | optimized |\n|---|---|---|---|---|---|\n%s",
-              normals_table.c_str());
+void print_table_of_normals(const std::vector<std::string>& directories)
+{
+  std::cout << "Normals\n\n";
+  print_head_of_normals(std::cout);
+  for(const Model& model : models_of_normals(directories))
+    print_normals(std::cout, model, remesh_isotropically(model), PMP::PN_triangle_surface<Mesh>(model.input));
+}
+
+int main(int argc, char* argv[])
+{
+  try
+  {
+    const std::vector<std::string> directories(argv + 1, argv + argc);
+    for(const std::string& directory : directories)
+      if(!std::filesystem::is_directory(directory))
+        throw std::runtime_error(directory + ": there is no such directory");
+
+    std::ofstream csv("quality.csv");
+    write_head_of_CSV(csv);
+    make_table_1(directories, csv);
+    make_table_2(directories, csv);
+    print_table_of_normals(directories);
+    if(!csv)
+      throw std::runtime_error("quality.csv cannot be written");
+    return EXIT_SUCCESS;
+  }
+  catch(const std::exception& e)
+  {
+    std::cerr << "quality: " << e.what() << std::endl;
+    return EXIT_FAILURE;
+  }
 }

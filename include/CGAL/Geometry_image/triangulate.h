@@ -61,8 +61,8 @@ void triangulate(const Geometry_image<Point_3>& image,
  *   of the image can be a single point, such as a pole, and two sides with a common corner can be joined.
  * - Where the border is folded, the shorter diagonals of the two quads beside the fold may cut off the same triangle,
  *   once from each side. One of the two is then split along its longer diagonal.
- * - Where the border touches itself other than along a seam, or the image is one-sided as a Möbius strip, vertices are
- *   duplicated by `CGAL::Polygon_mesh_processing::orient_polygon_soup()`.
+ * - Where the border touches itself other than along a seam, or is joined to a one-sided surface such as a Möbius strip,
+ *   vertices are duplicated: the surface is cut open there.
  *
  * \tparam Point_3 a point type
  * \tparam TriangleMesh a model of `MutableFaceGraph`

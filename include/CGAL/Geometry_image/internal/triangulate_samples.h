@@ -11,7 +11,7 @@
 
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_utils.h>
-#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/orient_polygon_soup_extension.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/squared_distance_3.h>
 
@@ -149,7 +149,7 @@ inline Triangulated_samples number_vertices(std::vector<Triangle> triangles, con
 }
 
 // Triangulates an image with finite samples. Where its triangles give no polygon mesh, since the border touches itself or
-// the image is one-sided, vertices are copied: the surface is cut open.
+// the image is one-sided, vertices are copied: the surface is cut open along its side-band.
 template <typename Point_3>
 Triangulated_samples triangulate_samples(const Geometry_image<Point_3>& image)
 {
@@ -159,7 +159,7 @@ Triangulated_samples triangulate_samples(const Geometry_image<Point_3>& image)
   Triangulated_samples result = number_vertices(split_quads(image, first), first);
   const std::size_t number_of_vertices = result.sample_of_vertex.size();
   if(!PMP::is_polygon_soup_a_polygon_mesh(result.triangles))
-    PMP::orient_polygon_soup(result.sample_of_vertex, result.triangles);
+    PMP::duplicate_non_manifold_edges_in_polygon_soup(result.sample_of_vertex, result.triangles);
   result.number_of_copies = result.sample_of_vertex.size() - number_of_vertices;
   return result;
 }

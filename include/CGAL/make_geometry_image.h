@@ -20,6 +20,7 @@
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
 #include <CGAL/Surface_mesh_parameterization/Square_border_parameterizer_3.h>
 
+#include <algorithm>
 #include <iostream>
 #include <iterator>
 #include <string>
@@ -58,6 +59,22 @@ inline std::string why_no_disk(const Double_mesh& mesh, std::size_t number_of_bo
   return "";
 }
 
+// The border halfedge after the sharpest corner of the border: its source becomes a corner of the square.
+inline Double_mesh::Halfedge_index find_first_corner(const Double_mesh& mesh, Double_mesh::Halfedge_index border)
+{
+  using Polygon_mesh_processing::internal::vertex_location::angle_at;
+
+  auto angle_before = [&](Double_mesh::Halfedge_index h)
+  {
+    return angle_at(mesh.point(mesh.source(h)), mesh.point(mesh.source(mesh.prev(h))), mesh.point(mesh.target(h)));
+  };
+  const auto border_halfedges = halfedges_around_face(border, mesh);
+  return *std::min_element(border_halfedges.begin(), border_halfedges.end(), [&](auto g, auto h)
+  {
+    return angle_before(g) < angle_before(h);
+  });
+}
+
 // Makes the image; returns what keeps it from being made, which is nothing if it is.
 template <typename TriangleMesh, typename VertexPointMap, typename Point_3>
 std::string make_image(const TriangleMesh& tmesh, const VertexPointMap& vpm, Geometry_image<Point_3>& image)
@@ -85,7 +102,7 @@ std::string make_image(const TriangleMesh& tmesh, const VertexPointMap& vpm, Geo
   auto uvmap = mesh.add_property_map<Double_mesh::Vertex_index, Double_kernel::Point_2>("v:uv").first;
   using Square = SMP::Square_border_arc_length_parameterizer_3<Double_mesh>;
   const SMP::Error_code error = SMP::parameterize(
-    mesh, SMP::Mean_value_coordinates_parameterizer_3<Double_mesh, Square>(), borders.front(), uvmap);
+    mesh, SMP::Mean_value_coordinates_parameterizer_3<Double_mesh, Square>(), find_first_corner(mesh, borders.front()), uvmap);
   if(error != SMP::OK)
     return SMP::get_error_message(error);
 
@@ -108,7 +125,7 @@ std::string make_image(const TriangleMesh& tmesh, const VertexPointMap& vpm, Geo
  *
  * The mesh is parameterized over a square with the package \ref PkgSurfaceMeshParameterization, by
  * `CGAL::Surface_mesh_parameterization::Mean_value_coordinates_parameterizer_3` with its border on that of the square by
- * arc length, and sampled at a regular grid. The first and the last rows and columns are the border. The triangulated image
+ * arc length from its sharpest corner, and sampled at a regular grid. The first and the last rows and columns are the border. The triangulated image
  * is oriented as the mesh.
  *
  * A mesh that is no disk is refused; the parameter `verbose` tells why and what helps. A closed mesh must be cut open.

@@ -7,6 +7,7 @@
 #define CGAL_MAKE_GEOMETRY_IMAGE_H
 
 #include <CGAL/Geometry_image/Geometry_image.h>
+#include <CGAL/Geometry_image/internal/parameterize_over_square.h>
 #include <CGAL/Geometry_image/internal/sample_parameterized_mesh.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/read_parameters.h>
 
@@ -14,11 +15,8 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
-#include <CGAL/Polygon_mesh_processing/repair.h>
+#include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
-#include <CGAL/Surface_mesh_parameterization/Mean_value_coordinates_parameterizer_3.h>
-#include <CGAL/Surface_mesh_parameterization/parameterize.h>
-#include <CGAL/Surface_mesh_parameterization/Square_border_parameterizer_3.h>
 
 #include <algorithm>
 #include <iostream>
@@ -91,7 +89,9 @@ std::string make_image(const TriangleMesh& tmesh, const VertexPointMap& vpm, Geo
 
   Double_mesh mesh;
   copy_face_graph(tmesh, mesh, parameters::vertex_point_map(vpm));
-  PMP::remove_isolated_vertices(mesh);
+  for(Double_mesh::Vertex_index v : mesh.vertices())
+    if(mesh.is_isolated(v))
+      mesh.remove_vertex(v);
   mesh.collect_garbage();
   std::vector<Double_mesh::Halfedge_index> borders;
   PMP::extract_boundary_cycles(mesh, std::back_inserter(borders));
@@ -100,9 +100,7 @@ std::string make_image(const TriangleMesh& tmesh, const VertexPointMap& vpm, Geo
     return objection;
 
   auto uvmap = mesh.add_property_map<Double_mesh::Vertex_index, Double_kernel::Point_2>("v:uv").first;
-  using Square = SMP::Square_border_arc_length_parameterizer_3<Double_mesh>;
-  const SMP::Error_code error = SMP::parameterize(
-    mesh, SMP::Mean_value_coordinates_parameterizer_3<Double_mesh, Square>(), find_first_corner(mesh, borders.front()), uvmap);
+  const SMP::Error_code error = parameterize_over_square(mesh, find_first_corner(mesh, borders.front()), uvmap);
   if(error != SMP::OK)
     return SMP::get_error_message(error);
 
@@ -123,10 +121,10 @@ std::string make_image(const TriangleMesh& tmesh, const VertexPointMap& vpm, Geo
  *
  * \brief makes a geometry image of a triangle mesh that is a topological disk.
  *
- * The mesh is parameterized over a square with the package \ref PkgSurfaceMeshParameterization, by
- * `CGAL::Surface_mesh_parameterization::Mean_value_coordinates_parameterizer_3` with its border on that of the square by
- * arc length from its sharpest corner, and sampled at a regular grid. The first and the last rows and columns are the border. The triangulated image
- * is oriented as the mesh.
+ * The mesh is parameterized over a square with the package \ref PkgSurfaceMeshParameterization, its border on that of the
+ * square by arc length from its sharpest corner, and sampled at a regular grid. To sample it evenly the mean value
+ * coordinates are reweighted where the parameterization is stretched \cgalCite{ybs2004}. The first and the last rows and
+ * columns are the border. The triangulated image is oriented as the mesh.
  *
  * A mesh that is no disk is refused; the parameter `verbose` tells why and what helps. A closed mesh must be cut open.
  *

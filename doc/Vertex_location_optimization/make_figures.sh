@@ -15,7 +15,7 @@ work=$build_dir/figures
 mkdir -p "$figures" "$work"
 
 configure
-cmake --build "$build_dir" -j "$jobs" --target optimize_remesh optimize_vertex_normals_example
+cmake --build "$build_dir" -j "$jobs" --target optimize_remesh optimize_vertex_normals_example optimize_geometry_image_example
 
 # draw_errors MODEL "OPTIONS" [OPTION...]: the errors before and after; OPTIONS are those of optimize_remesh, the others
 # those of f3d
@@ -50,6 +50,9 @@ draw_errors bunny00 "--edge-length 0.05" --edges
 draw_errors fandisk "--edge-length 0.04 --crease-angle 40 --relax-constraints --reference flat" --edges \
   --camera-azimuth-angle=30 --camera-elevation-angle=20 --camera-view-angle=27
 draw_normals armadillo 2.7 --camera-azimuth-angle=180
+"$examples/optimize_geometry_image_example" "$CGAL_DATA_DIR/meshes/lion-head.off" 4 "$work/image_" | tee "$work/image_log.txt"
+compare_images "$work/image_" "$figures/geometry_image.png" --edges
+convert "$figures/geometry_image.png" -resize 1100x +dither -posterize 32 -strip "PNG24:$figures/geometry_image.png"
 
 # the package's picture in the overview of CGAL, without titles and scale
 convert "$figures/errors_bunny00.png" +repage -gravity south -chop 0x80 -gravity north -chop 0x45 -resize 420x +dither -colors 64 -strip \

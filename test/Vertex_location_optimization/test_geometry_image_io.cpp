@@ -109,7 +109,10 @@ void check_fails(const std::string& name, const std::string& why, const F& f)
   check::check(errors.find(why) != std::string::npos, __FILE__, __LINE__, "the message says why", errors, why);
 }
 
-void check_unreadable(const Directory& directory, const std::string& name, const std::string& bytes, const std::string& why)
+void check_unreadable(const Directory& directory,
+                      const std::string& name,
+                      const std::string& bytes,
+                      const std::string& why)
 {
   const std::string file = directory.file(name);
   write_bytes(file, bytes);

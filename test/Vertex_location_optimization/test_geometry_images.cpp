@@ -99,7 +99,8 @@ void check_diagonals(const Image& image)
           for(std::size_t k = 0; k < 4; ++k)
             in_both[k] += v == std::array{ a, b, c, d }[k];
       const bool is_ac_shorter = norm(image(i, j) - image(i + 1, j + 1)) <= norm(image(i, j + 1) - image(i + 1, j));
-      CHECK(in_both == (is_ac_shorter ? std::array<std::size_t, 4>{ 2, 1, 2, 1 } : std::array<std::size_t, 4>{ 1, 2, 1, 2 }));
+      const std::array<std::size_t, 4> from_a_to_c{ 2, 1, 2, 1 }, from_b_to_d{ 1, 2, 1, 2 };
+      CHECK(in_both == (is_ac_shorter ? from_a_to_c : from_b_to_d));
     }
 }
 
@@ -211,7 +212,9 @@ struct Result
   PMP::Vertex_location_optimization_report report;
 };
 
-template <typename ConcurrencyTag = CGAL::Parallel_if_available_tag, typename Reference, typename NP = params::Default_named_parameters>
+template <typename ConcurrencyTag = CGAL::Parallel_if_available_tag,
+          typename Reference,
+          typename NP = params::Default_named_parameters>
 Result optimized(const Image& input, const Reference& reference, const NP& np = params::default_values())
 {
   Result result{ input, {} };
@@ -257,8 +260,9 @@ void test_closed_images()
   start_topic("A torus");
   const Image image = torus(61, 25, 2, 0.5);
   const Mesh fine = triangulated(torus(241, 97, 2, 0.5));
-  for(const Image& result : { optimized(image, fine).image, optimized(image, PMP::Flat_triangle_surface<Mesh>(fine)).image })
-    CHECK_LESS(error_ratio(image, result, distance_to_torus), 0.5);
+  const PMP::Flat_triangle_surface<Mesh> flat(fine);
+  CHECK_LESS(error_ratio(image, optimized(image, fine).image, distance_to_torus), 0.5);
+  CHECK_LESS(error_ratio(image, optimized(image, flat).image, distance_to_torus), 0.5);
 
   start_topic("A torus that touches itself in a point keeps it");
   const Image horn = torus(31, 17, 1, 1);
@@ -304,7 +308,10 @@ void test_open_images()
 
   start_topic("A plane stays as it is");
   const Image plane = make_image(9, 9, [](std::size_t i, std::size_t j) { return Point(j + 0.25 * (i % 2), i, 0); });
-  const Mesh plane_mesh = triangulated(make_image(3, 3, [](std::size_t i, std::size_t j) { return Point(9. * j - 5, 9. * i - 5, 0); }));
+  const Mesh plane_mesh = make_mesh(transformed(triangle_grid(2, 2), [](const Point& p)
+  {
+    return Point(9 * p.x() - 6, 9 * p.y() - 6, 0);
+  }));
   const Image plane_result = optimized(plane, plane_mesh).image;
   for(std::size_t i = 0; i < 9; ++i)
     for(std::size_t j = 0; j < 9; ++j)

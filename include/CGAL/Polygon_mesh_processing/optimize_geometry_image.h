@@ -134,7 +134,8 @@ optimize_geometry_image(Geometry_image<Point_3>& image,
 
   // copies of a vertex must not part from it
   auto is_fixed = mesh.template add_property_map<Vertex_index, bool>("v:is_fixed", false).first;
-  for(std::size_t v = samples.sample_of_vertex.size() - samples.number_of_copies; v < samples.sample_of_vertex.size(); ++v)
+  const std::size_t number_of_vertices = samples.sample_of_vertex.size();
+  for(std::size_t v = number_of_vertices - samples.number_of_copies; v < number_of_vertices; ++v)
     for(std::size_t copy : { v, samples.vertex_of_sample[samples.sample_of_vertex[v]] })
       is_fixed[Vertex_index(static_cast<typename Mesh::size_type>(copy))] = true;
 

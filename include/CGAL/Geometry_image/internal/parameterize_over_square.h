@@ -61,7 +61,7 @@ std::pair<double, double> integral_of_stretch(const Double_mesh& mesh, const UVM
 
 struct Stretch
 {
-  double integral = 0;                // of the squared stretch over the surface
+  double integral = 0;                 // of the squared stretch over the surface
   std::vector<double> around_vertices; // relative to the mean
 };
 

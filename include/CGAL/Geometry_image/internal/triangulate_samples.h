@@ -37,10 +37,10 @@ constexpr std::size_t no_vertex = (std::numeric_limits<std::size_t>::max)();
 
 struct Triangulated_samples
 {
-  std::vector<Triangle> triangles;             // of vertices; they are those of a polygon mesh
-  std::vector<std::size_t> sample_of_vertex;   // the first one; increasing, but for the copies at the end
-  std::vector<std::size_t> vertex_of_sample;   // no_vertex: the sample is in no triangle
-  std::size_t number_of_copies = 0;            // of vertices where the samples give no polygon mesh
+  std::vector<Triangle> triangles;           // of vertices; they are those of a polygon mesh
+  std::vector<std::size_t> sample_of_vertex; // the first one; increasing, but for the copies at the end
+  std::vector<std::size_t> vertex_of_sample; // no_vertex: the sample is in no triangle
+  std::size_t number_of_copies = 0;          // of vertices where the samples give no polygon mesh
 };
 
 template <typename Point_3>

@@ -15,7 +15,8 @@ work=$build_dir/figures
 mkdir -p "$figures" "$work"
 
 configure
-cmake --build "$build_dir" -j "$jobs" --target optimize_remesh optimize_vertex_normals_example quality
+cmake --build "$build_dir" -j "$jobs" --target optimize_remesh optimize_vertex_normals_example \
+  optimize_geometry_image_example quality
 
 # draw_errors MODEL "OPTIONS" [OPTION...]: the errors before and after; OPTIONS are those of optimize_remesh, the others
 # those of f3d
@@ -50,6 +51,9 @@ draw_errors bunny00 "--edge-length 0.05" --edges
 draw_errors fandisk "--edge-length 0.04 --crease-angle 40 --relax-constraints --reference flat" --edges \
   --camera-azimuth-angle=30 --camera-elevation-angle=20 --camera-view-angle=27
 draw_normals armadillo 2.7 --camera-azimuth-angle=180
+"$examples/optimize_geometry_image_example" "$CGAL_DATA_DIR/meshes/lion-head.off" 4 "$work/image_" | tee "$work/image_log.txt"
+compare_images "$work/image_" "$figures/geometry_image.png" --edges
+convert "$figures/geometry_image.png" -resize 1100x +dither -posterize 32 -strip "PNG24:$figures/geometry_image.png"
 
 # the errors of remeshes with more and more vertices: the whole benchmark, which takes a quarter of an hour
 (cd "$work" && "$build_dir/benchmark/Vertex_location_optimization/quality")

@@ -58,6 +58,10 @@ public:
   // the closest point near `hint`, see `Reference_patches::walk()`; not part of the concept
   Foot project_near(const Point_3& query, const Foot& hint) const { return m_patches.walk(convert<Point>(query), hint); }
 
+  // The feet that are the same point: where it is on an edge or a vertex they have the normals of the faces around it.
+  // Not part of the concept.
+  std::vector<Foot> coinciding_feet(const Foot& foot) const { return m_patches.coinciding_feet(foot); }
+
   // samples of the surface with their areas, see `Reference_patches::area_samples()`; not part of the concept
   std::vector<std::pair<Foot, double>> area_samples(std::size_t n) const { return m_patches.area_samples(n); }
 

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -18,6 +19,22 @@ namespace CGAL {
 namespace Polygon_mesh_processing {
 namespace internal {
 namespace vertex_location {
+
+template <typename Surface, typename = void>
+struct Has_coinciding_feet : std::false_type {};
+
+template <typename Surface>
+struct Has_coinciding_feet<Surface, std::void_t<decltype(std::declval<const Surface&>().coinciding_feet(
+                                      std::declval<typename Surface::Foot>()))>>
+  : std::true_type {};
+
+// Which normals of the reference a face opposes at a point. On an edge the reference has several.
+enum class Opposition : char
+{
+  NONE,
+  SOME,
+  ALL
+};
 
 // The distance to the reference of the surface of the remesh or of the targets, sampled at the vertices, the midpoints of
 // the edges and the barycenters of the faces. With the weights 1/20, 2/15 and 9/20 these points integrate cubics exactly.
@@ -133,8 +150,8 @@ public:
            climb_to_maximum(f, m_state.targets) > climb_to_maximum(f, m_state.initial_points);
   }
 
-  // Whether the normal of face f opposes that of the reference at the foot of the barycenter.
-  bool opposes_reference(std::size_t f) const { return m_opposes[f] != 0; }
+  // of face f to the normals of the reference at the foot of the barycenter
+  Opposition opposition(std::size_t f) const { return m_opposition[f]; }
 
   // The largest distance on face f, rather more than less, if the samples come near `threshold`; else the largest of the
   // samples. Between them the distance may be larger: threefold on a face that spans a crease, less the more samples there
@@ -154,7 +171,7 @@ private:
     m_at_vertex.resize(m_state.mesh.points.size());
     m_at_midpoint.resize(m_state.mesh.edges.size());
     m_at_barycenter.resize(m_state.mesh.faces.size());
-    m_opposes.resize(m_state.mesh.faces.size());
+    m_opposition.resize(m_state.mesh.faces.size());
   }
 
   std::array<Point, 3> triangle(std::size_t f) const { return triangle(f, m_state.targets); }
@@ -265,19 +282,32 @@ private:
     auto set_foot = [&](const Foot& foot)
     {
       m_at_barycenter[f] = distance_to_foot(p, foot);
-      m_opposes[f] = n * convert<Vector>(m_reference.normal(foot)) < 0;
+      m_opposition[f] = opposition_at(foot, n);
     };
 
     const Foot foot = project_near(m_reference, p, m_state.midpoint_samples.feet[m_state.mesh.face_edges[f][0]]);
     set_foot(foot);
-    if(m_opposes[f] || m_at_barycenter[f] > near * m_state.mean_edge_length)
+    if(m_opposition[f] != Opposition::NONE || m_at_barycenter[f] > near * m_state.mean_edge_length)
       set_foot(m_reference.project(convert<Reference_point>(p), foot));
+  }
+
+  Opposition opposition_at(const Foot& foot, const Vector& normal) const
+  {
+    const auto is_opposed = [&](const Foot& other) { return normal * convert<Vector>(m_reference.normal(other)) < 0; };
+    if constexpr(Has_coinciding_feet<ReferenceSurface>::value)
+    {
+      const std::vector<Foot> feet = m_reference.coinciding_feet(foot);
+      const auto opposed = static_cast<std::size_t>(std::count_if(feet.begin(), feet.end(), is_opposed));
+      return opposed == 0 ? Opposition::NONE : opposed < feet.size() ? Opposition::SOME : Opposition::ALL;
+    }
+    else
+      return is_opposed(foot) ? Opposition::ALL : Opposition::NONE;
   }
 
   const ReferenceSurface& m_reference;
   const State& m_state;
   std::vector<double> m_at_vertex, m_at_midpoint, m_at_barycenter;
-  std::vector<char> m_opposes;
+  std::vector<Opposition> m_opposition;
 };
 
 } // namespace vertex_location

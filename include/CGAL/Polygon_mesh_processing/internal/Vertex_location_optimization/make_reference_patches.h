@@ -112,6 +112,21 @@ struct Reference_patches
     return foot;
   }
 
+  // The feet that are the same point: several where it is on a side or in a corner of its patch.
+  std::vector<Patch_foot> coinciding_feet(const Patch_foot& foot) const
+  {
+    std::vector<Patch_foot> feet{ foot };
+    for(std::size_t i = 0; i < feet.size(); ++i)
+      for(Index k = 0; k < 3; ++k)
+      {
+        const Patch_foot other = foot_across(feet[i], k);
+        const auto is_other = [&](const Patch_foot& f) { return f.patch == other.patch; };
+        if(other.patch != no_index && std::none_of(feet.begin(), feet.end(), is_other))
+          feet.push_back(other);
+      }
+    return feet;
+  }
+
   // About `n` points spread evenly over the surface, and the area for which each of them stands. The patches are in
   // an order in which neighbors follow each other: points at equal steps of the area are spread over the surface; those
   // in one patch follow a sequence of low discrepancy.
@@ -147,22 +162,29 @@ struct Reference_patches
   Feature_curves curves;
 
 private:
-  bool step_to_neighbor(const Point& query, Patch_foot& foot, double& distance) const
+  // The same point in the neighbor across side k; in none if the foot is not on that side or there is no neighbor.
+  Patch_foot foot_across(const Patch_foot& foot, const Index k) const
   {
     constexpr double on_side = 1e-12;
     const std::array<double, 3> lambda = foot.coordinates.barycentric();
+    const Index corner = neighbors[foot.patch][k];
+    if(lambda[k] > on_side || corner == no_index)
+      return {};
+    // the common side runs the other way in the neighbor
+    std::array<double, 3> mu;
+    mu[corner % 3] = 0;
+    mu[(corner + 1) % 3] = lambda[(k + 2) % 3];
+    mu[(corner + 2) % 3] = lambda[(k + 1) % 3];
+    return { corner / 3, { mu[1], mu[2] } };
+  }
+
+  bool step_to_neighbor(const Point& query, Patch_foot& foot, double& distance) const
+  {
     for(Index k = 0; k < 3; ++k)
     {
-      const Index corner = neighbors[foot.patch][k];
-      if(lambda[k] > on_side || corner == no_index)
-        continue;
-      // the common side runs the other way in the neighbor
-      std::array<double, 3> mu;
-      mu[corner % 3] = 0;
-      mu[(corner + 1) % 3] = lambda[(k + 2) % 3];
-      mu[(corner + 2) % 3] = lambda[(k + 1) % 3];
-      Patch_foot neighbor{ corner / 3, { mu[1], mu[2] } };
-      if(tree.patch(neighbor.patch).improve_foot_from(query, neighbor.coordinates, distance))
+      Patch_foot neighbor = foot_across(foot, k);
+      if(neighbor.patch != no_index &&
+         tree.patch(neighbor.patch).improve_foot_from(query, neighbor.coordinates, distance))
       {
         foot = neighbor;
         return true;

@@ -19,9 +19,9 @@ namespace Polygon_mesh_processing {
 namespace internal {
 namespace vertex_location {
 
-// A face is bad if it is flipped, if it opposes the reference and did not, or if its largest error exceeds that of the
-// remesh, less a margin for what lies between the samples, and its own in the remesh; if the criterion is strict, also if
-// it has more error in all than in the remesh. A face whose vertices have not moved is not bad.
+// A face is bad if it is flipped, if it opposes more normals of the reference than in the remesh, or if its largest error
+// exceeds that of the remesh, less a margin for what lies between the samples, and its own in the remesh; if the criterion
+// is strict, also if it has more error in all than in the remesh. A face whose vertices have not moved is not bad.
 template <typename ReferenceSurface>
 class Harm_criterion
 {
@@ -41,11 +41,11 @@ public:
     m_mean_of_remesh = m_error.template mean<ConcurrencyTag>();
     m_max_error = margin * m_error.maximum();
     m_integrals_of_remesh.resize(m_state.mesh.faces.size());
-    m_opposed_in_remesh.resize(m_state.mesh.faces.size());
+    m_oppositions_of_remesh.resize(m_state.mesh.faces.size());
     for_each_index<ConcurrencyTag>(m_state.mesh.faces.size(), [&](std::size_t f)
     {
       m_integrals_of_remesh[f] = m_error.integral(f);
-      m_opposed_in_remesh[f] = m_error.opposes_reference(f);
+      m_oppositions_of_remesh[f] = m_error.opposition(f);
     });
     m_error.free_memory();
   }
@@ -69,7 +69,7 @@ public:
     if(!has_moved(f))
       return false;
     return m_flips.is_bad(f) ||
-           (m_error.opposes_reference(f) && !m_opposed_in_remesh[f]) ||
+           m_error.opposition(f) > m_oppositions_of_remesh[f] ||
            (m_is_strict && m_error.integral(f) > m_integrals_of_remesh[f]) ||
            (!(m_error.maximum(f, m_max_error) <= m_max_error) && m_error.has_grown(f));
   }
@@ -92,7 +92,7 @@ private:
   Flip_criterion<typename ReferenceSurface::Foot> m_flips;
   Sampled_error<ReferenceSurface> m_error;
   std::vector<double> m_integrals_of_remesh; // of the error over each face
-  std::vector<char> m_opposed_in_remesh;     // whether each face opposes the reference
+  std::vector<Opposition> m_oppositions_of_remesh;
   double m_mean_of_remesh = 0;
   double m_max_error = 0; // what a face must not exceed
   bool m_is_strict = false;

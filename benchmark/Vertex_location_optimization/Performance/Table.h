@@ -14,7 +14,7 @@
 #include <vector>
 
 // A table that is printed row by row, while the measurements go on, and written to a CSV file, a line for each value:
-// title, row, column, value. A file that is not open is not written.
+// title, row, column, value. Without an open file it is only printed.
 class Table
 {
 public:

@@ -83,12 +83,14 @@ inline void measure_ratios(std::ofstream& csv, const Mesh& reference, double edg
 
   std::vector<Phase_timer> timers;
   Table table(csv, "ratios: the whole call, the reference apart",
-              { "seconds", "/ (a)", "/ (b)", "/ (c)", "sample", "fit", "relax", "correct", "take back", "apart" });
+              { "iterations", "seconds", "/ (a)", "/ (b)", "/ (c)", "sample", "fit", "relax", "correct", "take back",
+                "apart" });
   for(PMP::Placement_method method : placement_methods)
   {
     const double seconds = time_of_optimization(mesh, surface, method);
     timers.push_back(time_phases(mesh, surface, method));
-    std::vector<double> row{ seconds, seconds / base.remeshing, seconds / base.projection, seconds / base.sparse_fit };
+    std::vector<double> row{ double(timers.back().iterations().size()), seconds, seconds / base.remeshing,
+                             seconds / base.projection, seconds / base.sparse_fit };
     row.insert(row.end(), timers.back().total().begin(), timers.back().total().end());
     table.add_row(name_of(method), row);
   }

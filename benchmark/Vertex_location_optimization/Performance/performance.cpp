@@ -59,7 +59,7 @@ Options read_options(int argc, char** argv)
   add("sections", po::value(&sections)->default_value("ratios,projections,threads,growth,memory"),
       "which parts; `large` is a further one: 1M vertices against 5M triangles");
   add("csv", po::value(&options.csv), "file for all values: table, row, column, value");
-  add("svg", po::value(&options.svg), "file for a plot of the growth");
+  add("svg", po::value(&options.svg), "file for a plot of the growth, if that is measured");
   add("input", po::value(&options.file)->default_value(CGAL::data_file_path("meshes/armadillo.off")), "the model");
 
   po::variables_map values;
@@ -87,14 +87,12 @@ void open(std::ofstream& file, const std::string& name)
     throw std::runtime_error(name + " cannot be written");
 }
 
-void measure_growth(std::ofstream& csv, const Mesh& input, const Options& options)
+void measure_growth(std::ofstream& csv, std::ofstream& svg, const Mesh& input, bool is_quick)
 {
-  const auto of_remesh =
-      measure_growth_with_remesh(csv, subdivided(input, options.is_quick ? 0 : 1), options.is_quick ? 0 : 3);
-  const auto of_reference = measure_growth_with_reference(csv, input, options.is_quick ? 2 : 5);
+  const auto of_remesh = measure_growth_with_remesh(csv, subdivided(input, is_quick ? 0 : 1), is_quick ? 0 : 3);
+  const auto of_reference = measure_growth_with_reference(csv, input, is_quick ? 2 : 5);
   print_exponents(csv, of_remesh, of_reference);
-  if(!options.svg.empty() && !write_growth_plot(options.svg, of_remesh, of_reference))
-    throw std::runtime_error(options.svg + " cannot be written");
+  write_growth_plot(svg, of_remesh, of_reference);
 }
 
 // Returns false if a result is wrong, however fast.
@@ -103,8 +101,10 @@ bool measure(const Options& options)
   Mesh input;
   if(!PMP::IO::read_polygon_mesh(options.file, input) || !CGAL::is_triangle_mesh(input) || is_empty(input))
     throw std::runtime_error(options.file + " is no triangle mesh that can be read");
-  std::ofstream csv;
+  std::ofstream csv, svg; // opened now, so that nothing is measured in vain
   open(csv, options.csv);
+  open(svg, options.svg);
+  csv << "table,row,column,value\n";
 
   const double edge_length = options.is_quick ? 0.03 : 0.0106;
   const Mesh reference = subdivided(input, options.is_quick ? 0 : 2);
@@ -125,7 +125,7 @@ bool measure(const Options& options)
       measure_memory(csv, reference, mesh);
   }
   if(options.has("growth"))
-    measure_growth(csv, input, options);
+    measure_growth(csv, svg, input, options.is_quick);
   if(options.has("large"))
     measure_large(csv, input);
   return is_right;

@@ -20,21 +20,24 @@
 class Growth_diagram
 {
 public:
-  Growth_diagram(std::ofstream& svg, double left, const std::vector<Growth_curve>& curves)
+  // `growth` is the paper's: the time is proportional to it
+  Growth_diagram(std::ofstream& svg, double left, const std::vector<Growth_curve>& curves, double (*growth)(double))
     : m_svg(svg)
     , m_left(left)
+    , m_growth(growth)
   {
     for(const Growth_curve& curve : curves)
       for(std::size_t i = 0; i < curve.sizes.size(); ++i)
       {
         extend(m_x, std::log10(curve.sizes[i]));
         extend(m_y, std::log10(curve.seconds[i]));
+        extend(m_y, expected(curve, i));
       }
     m_x = { std::floor(m_x.min), std::ceil(m_x.max) };
     m_y = { std::floor(m_y.min), std::ceil(m_y.max) };
   }
 
-  double right() const { return x(m_x.max) + 30; }
+  double right() const { return x(m_x.max) + 60; }
   double bottom() const { return y(m_y.min) + 60; }
 
   void write_axes(const std::string& label) const
@@ -53,20 +56,19 @@ public:
     write_text(x(m_x.min), top - 10, "seconds", "middle");
   }
 
-  // the k-th curve, and the paper's growth from its last point backwards, dashed
-  void write_curve(const Growth_curve& curve, std::size_t k, double (*paper)(double)) const
+  // the k-th curve and, dashed, the paper's growth up to its last point
+  void write_curve(const Growth_curve& curve, std::size_t k) const
   {
     const std::string color = k == 0 ? "#1f5fa8" : "#c0392b";
-    const std::size_t last = curve.sizes.size() - 1;
-    for(std::size_t i = 0; i <= last; ++i)
+    for(std::size_t i = 0; i < curve.sizes.size(); ++i)
     {
       const double px = x(std::log10(curve.sizes[i])), py = y(std::log10(curve.seconds[i]));
       m_svg << "<circle cx='" << px << "' cy='" << py << "' r='3' fill='" << color << "'/>\n";
-      if(i == last)
-        break;
-      write_line(px, py, x(std::log10(curve.sizes[i + 1])), y(std::log10(curve.seconds[i + 1])), color, "");
-      write_line(px, y(paper_seconds(curve, i, paper)), x(std::log10(curve.sizes[i + 1])),
-                 y(paper_seconds(curve, i + 1, paper)), color, " stroke-dasharray='4 4'");
+      if(i == 0)
+        continue;
+      const double previous = x(std::log10(curve.sizes[i - 1]));
+      write_line(previous, y(std::log10(curve.seconds[i - 1])), px, py, color, "");
+      write_line(previous, y(expected(curve, i - 1)), px, y(expected(curve, i)), color, " stroke-dasharray='4 4'");
     }
     m_svg << "<g fill='" << color << "'>";
     write_text(x(m_x.min) + 8, top + 16 + 16 * static_cast<double>(k), curve.name, "start");
@@ -86,9 +88,10 @@ private:
     range.max = (std::max)(range.max, value);
   }
 
-  static double paper_seconds(const Growth_curve& curve, std::size_t i, double (*paper)(double))
+  // the power of ten of the seconds that the paper's growth gives for the i-th size
+  double expected(const Growth_curve& curve, std::size_t i) const
   {
-    return std::log10(curve.seconds.back() * paper(curve.sizes[i]) / paper(curve.sizes.back()));
+    return std::log10(curve.seconds.back() * m_growth(curve.sizes[i]) / m_growth(curve.sizes.back()));
   }
 
   static std::string power_of_ten(double power)
@@ -114,27 +117,27 @@ private:
 
   std::ofstream& m_svg;
   double m_left;
+  double (*m_growth)(double);
   Range m_x, m_y; // powers of ten
 };
 
 // The diagrams side by side: the growth with the size of the remesh, and with that of the reference.
-inline bool write_growth_plot(const std::string& file,
+inline void write_growth_plot(std::ofstream& svg,
                               const std::vector<Growth_curve>& of_remesh,
                               const std::vector<Growth_curve>& of_reference)
 {
-  std::ofstream svg(file);
-  const Growth_diagram left(svg, 0, of_remesh), right(svg, left.right(), of_reference);
+  const Growth_diagram left(svg, 0, of_remesh, [](double n) { return n; });
+  const Growth_diagram right(svg, left.right(), of_reference, [](double n) { return std::log(n); });
   svg << "<svg xmlns='http://www.w3.org/2000/svg' width='" << right.right() << "' height='"
       << (std::max)(left.bottom(), right.bottom()) << "' font-family='sans-serif' font-size='12'>\n"
       << "<rect width='100%' height='100%' fill='white'/>\n";
-  left.write_axes("vertices of the remesh (dashed: linear)");
-  right.write_axes("triangles of the reference (dashed: logarithmic)");
+  left.write_axes("vertices (dashed: linear)");
+  right.write_axes("reference triangles (dashed: logarithmic)");
   for(std::size_t k = 0; k < of_remesh.size(); ++k)
-    left.write_curve(of_remesh[k], k, [](double n) { return n; });
+    left.write_curve(of_remesh[k], k);
   for(std::size_t k = 0; k < of_reference.size(); ++k)
-    right.write_curve(of_reference[k], k, [](double n) { return std::log(n); });
+    right.write_curve(of_reference[k], k);
   svg << "</svg>\n";
-  return svg.good();
 }
 
 #endif // VERTEX_LOCATION_OPTIMIZATION_BENCHMARK_WRITE_GROWTH_PLOT_H

@@ -62,7 +62,10 @@ public:
     {
       m_at_midpoint[e] = norm(mesh.midpoint(e) - m_state.midpoint_samples.points[e]);
     });
-    for_each_index<ConcurrencyTag>(mesh.faces.size(), [&](std::size_t f) { sample_barycenter(f); });
+    for_each_index<ConcurrencyTag>(mesh.faces.size(), [&](std::size_t f)
+    {
+      set_barycenter(f, m_reference.project(convert<Reference_point>(barycenter(f)), hint_for_barycenter(f)));
+    });
   }
 
   // Samples the targets. Each distance is that to the point where walking from the feet of the last iteration leads, rather
@@ -143,11 +146,12 @@ public:
     return result;
   }
 
-  // Whether the largest distance on face f is larger than in the remesh, on a lattice or beyond it.
+  // Whether the largest distance on face f is not clearly smaller than in the remesh, on a lattice and beyond it.
   bool has_grown(std::size_t f) const
   {
-    return lattice_maximum(f, m_state.targets).first > lattice_maximum(f, m_state.initial_points).first ||
-           climb_to_maximum(f, m_state.targets) > climb_to_maximum(f, m_state.initial_points);
+    constexpr double margin = 0.995; // for what they miss
+    return lattice_maximum(f, m_state.targets).first > margin * lattice_maximum(f, m_state.initial_points).first ||
+           climb_to_maximum(f, m_state.targets) > margin * climb_to_maximum(f, m_state.initial_points);
   }
 
   // of face f to the normals of the reference at the foot of the barycenter
@@ -160,7 +164,7 @@ public:
   {
     constexpr double near = 0.3, nearer = 0.6;
     double sampled = sampled_maximum(f);
-    if(sampled >= near * threshold && sampled < nearer * threshold && spans_crease(f))
+    if(sampled >= near * threshold && sampled < nearer * threshold)
       sampled = (std::max)(sampled, lattice_maximum(f, m_state.targets, 4).first);
     return sampled < nearer * threshold ? sampled : (std::max)(sampled, climb_to_maximum(f, m_state.targets));
   }
@@ -180,19 +184,6 @@ private:
   {
     const std::array<Index, 3>& v = m_state.mesh.faces[f];
     return { points[v[0]], points[v[1]], points[v[2]] };
-  }
-
-  // whether the reference turns by more than some 40 degrees from the face, or the face from it
-  bool spans_crease(std::size_t f) const
-  {
-    constexpr double cosine = 0.75;
-    const std::array<Point, 3> t = triangle(f);
-    const Vector n = normalized(area_normal(t[0], t[1], t[2]));
-    for(int k = 0; k < 3; ++k)
-      if(n * m_state.vertex_samples.normals[m_state.mesh.faces[f][k]] < cosine ||
-         n * m_state.midpoint_samples.normals[m_state.mesh.face_edges[f][k]] < cosine)
-        return true;
-    return false;
   }
 
   double sampled_maximum(std::size_t f) const
@@ -276,19 +267,24 @@ private:
   void sample_barycenter(std::size_t f)
   {
     constexpr double near = 0.1; // relative to the mean edge length; other sheets are thought to be farther away
-    const std::array<Point, 3> t = triangle(f);
-    const Vector n = area_normal(t[0], t[1], t[2]);
-    const Point p = point_at(t, Coordinates());
-    auto set_foot = [&](const Foot& foot)
-    {
-      m_at_barycenter[f] = distance_to_foot(p, foot);
-      m_opposition[f] = opposition_at(foot, n);
-    };
-
-    const Foot foot = project_near(m_reference, p, m_state.midpoint_samples.feet[m_state.mesh.face_edges[f][0]]);
-    set_foot(foot);
+    const Foot foot = project_near(m_reference, barycenter(f), hint_for_barycenter(f));
+    set_barycenter(f, foot);
     if(m_opposition[f] != Opposition::NONE || m_at_barycenter[f] > near * m_state.mean_edge_length)
-      set_foot(m_reference.project(convert<Reference_point>(p), foot));
+      set_barycenter(f, m_reference.project(convert<Reference_point>(barycenter(f)), foot));
+  }
+
+  Point barycenter(std::size_t f) const { return point_at(triangle(f), Coordinates()); }
+
+  const Foot& hint_for_barycenter(std::size_t f) const
+  {
+    return m_state.midpoint_samples.feet[m_state.mesh.face_edges[f][0]];
+  }
+
+  void set_barycenter(std::size_t f, const Foot& foot)
+  {
+    const std::array<Point, 3> t = triangle(f);
+    m_at_barycenter[f] = distance_to_foot(point_at(t, Coordinates()), foot);
+    m_opposition[f] = opposition_at(foot, area_normal(t[0], t[1], t[2]));
   }
 
   Opposition opposition_at(const Foot& foot, const Vector& normal) const

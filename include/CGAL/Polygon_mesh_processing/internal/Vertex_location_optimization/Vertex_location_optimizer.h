@@ -120,7 +120,7 @@ private:
   {
     if(is_first())
     {
-      start_samples<ConcurrencyTag>(m_reference, tolerance(), m_state);
+      start_samples<ConcurrencyTag>(m_reference, m_state);
       if(is_least_squares())
         start_both_samples<ConcurrencyTag>(m_reference, tolerance(), m_state, m_samples);
       m_harm_criterion.template measure_remesh<ConcurrencyTag>();

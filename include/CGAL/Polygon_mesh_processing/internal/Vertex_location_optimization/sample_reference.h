@@ -14,11 +14,9 @@ namespace internal {
 namespace vertex_location {
 
 // Section 3.1: takes p_i and n_i from the reference at the foot of each vertex, m_ij at the foot of the midpoint of each
-// edge. In the first iteration the midpoints start from the feet of the vertices, as exactly as `tolerance` says.
+// edge; in the first iteration.
 template <typename ConcurrencyTag, typename ReferenceSurface>
-void start_samples(const ReferenceSurface& reference,
-                   const Sampling_tolerance& tolerance,
-                   Optimization_state<typename ReferenceSurface::Foot>& state)
+void start_samples(const ReferenceSurface& reference, Optimization_state<typename ReferenceSurface::Foot>& state)
 {
   const Mesh_arrays& mesh = state.mesh;
   for_each_index<ConcurrencyTag>(mesh.points.size(), [&](std::size_t i)
@@ -27,12 +25,11 @@ void start_samples(const ReferenceSurface& reference,
   });
   for_each_index<ConcurrencyTag>(mesh.edges.size(), [&](std::size_t e)
   {
-    state.midpoint_samples.project_near(e, reference, tolerance.distance, mesh.midpoint(e),
-                                        state.vertex_samples.feet[mesh.edges[e][0]]);
+    state.midpoint_samples.project(e, reference, mesh.midpoint(e), state.vertex_samples.feet[mesh.edges[e][0]]);
   });
 }
 
-// The same from the samples of the iteration before.
+// The same from the samples of the iteration before, as exactly as `tolerance` says.
 template <typename ConcurrencyTag, typename ReferenceSurface>
 void update_samples(const ReferenceSurface& reference,
                     const Sampling_tolerance& tolerance,

@@ -57,11 +57,12 @@ public:
     m_error.template sample_targets<ConcurrencyTag>();
   }
 
-  // whether the targets' mean error is above that of the remesh
+  // whether the targets' mean error is not clearly below that of the remesh
   template <typename ConcurrencyTag>
   bool is_mean_bad() const
   {
-    return !(m_error.template mean<ConcurrencyTag>() <= m_mean_of_remesh);
+    constexpr double margin = 0.9999; // for what lies between the samples
+    return !(m_error.template mean<ConcurrencyTag>() <= margin * m_mean_of_remesh);
   }
 
   bool is_bad(std::size_t f) const

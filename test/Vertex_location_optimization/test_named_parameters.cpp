@@ -53,6 +53,13 @@ void test_defaults(const Input& input)
   CHECK(is_default(parameters::number_of_free_iterations(20)));
   CHECK(is_default(parameters::convergence_threshold(1e-6)));
   CHECK(is_default(parameters::geom_traits(Kernel())));
+  CHECK(is_default(parameters::placement_method(PMP::PIECEWISE_LINEAR)));
+  CHECK(is_default(parameters::relax_constraints(false)));
+  CHECK(is_default(parameters::do_self_intersection_tests(false)));
+  CHECK(is_default(parameters::visitor(PMP::Vertex_location_optimization_default_visitor())));
+  CHECK(optimized(input.mesh, input.reference, parameters::placement_method(PMP::LEAST_SQUARES)) ==
+        optimized(input.mesh, input.reference,
+                  parameters::placement_method(PMP::LEAST_SQUARES).regularity_weight(0.1)));
   CHECK(optimized(input.mesh, input.reference, parameters::default_values(), parameters::sharpness_angle(45)) == expected);
   CHECK(optimized(input.mesh, input.reference, parameters::default_values(),
                   parameters::vertex_point_map(input.reference.points()).geom_traits(Kernel())) == expected);

@@ -146,12 +146,18 @@ public:
     return result;
   }
 
-  // Whether the largest distance on face f is not clearly smaller than in the remesh, on a lattice and beyond it.
+  // Whether the largest distance on face f is larger than in the remesh, on a lattice or beyond it, or hardly smaller at a
+  // point that has moved.
   bool has_grown(std::size_t f) const
   {
     constexpr double margin = 0.995; // for what they miss
-    return lattice_maximum(f, m_state.targets).first > margin * lattice_maximum(f, m_state.initial_points).first ||
-           climb_to_maximum(f, m_state.targets) > margin * climb_to_maximum(f, m_state.initial_points);
+    if(lattice_maximum(f, m_state.targets).first > lattice_maximum(f, m_state.initial_points).first)
+      return true;
+    const auto [distance, x] = climb_to_maximum(f, m_state.targets);
+    const double distance_in_remesh = climb_to_maximum(f, m_state.initial_points).first;
+    return distance > distance_in_remesh ||
+           (distance > margin * distance_in_remesh &&
+            point_at(triangle(f, m_state.targets), x) != point_at(triangle(f, m_state.initial_points), x));
   }
 
   // of face f to the normals of the reference at the foot of the barycenter
@@ -166,7 +172,7 @@ public:
     double sampled = sampled_maximum(f);
     if(sampled >= near * threshold && sampled < nearer * threshold)
       sampled = (std::max)(sampled, lattice_maximum(f, m_state.targets, 4).first);
-    return sampled < nearer * threshold ? sampled : (std::max)(sampled, climb_to_maximum(f, m_state.targets));
+    return sampled < nearer * threshold ? sampled : (std::max)(sampled, climb_to_maximum(f, m_state.targets).first);
   }
 
 private:
@@ -210,8 +216,8 @@ private:
     return best;
   }
 
-  // the largest distance that is found by climbing from that on the lattice
-  double climb_to_maximum(std::size_t f, const std::vector<Point>& points) const
+  // the largest distance that is found by climbing from that on the lattice, and where it is
+  std::pair<double, Coordinates> climb_to_maximum(std::size_t f, const std::vector<Point>& points) const
   {
     constexpr int number_of_halvings = 5;
     const std::array<Point, 3> t = triangle(f, points);
@@ -234,7 +240,7 @@ private:
         }
       }
     }
-    return result;
+    return { result, best };
   }
 
   double distance(const Point& p, const Foot& hint) const

@@ -37,9 +37,12 @@ struct Mesh_arrays
   std::vector<std::array<Index, 2>> edges;
   std::vector<std::array<Index, 2>> edge_corners; // the corners opposite to an edge; no_index: none, a border edge
 
-  std::array<Point, 3> triangle(std::size_t f) const
+  std::array<Point, 3> triangle(std::size_t f) const { return triangle(f, points); }
+
+  // face f with its vertices at other points
+  std::array<Point, 3> triangle(std::size_t f, const std::vector<Point>& at) const
   {
-    return { points[faces[f][0]], points[faces[f][1]], points[faces[f][2]] };
+    return { at[faces[f][0]], at[faces[f][1]], at[faces[f][2]] };
   }
 
   Point midpoint(std::size_t e) const { return CGAL::midpoint(points[edges[e][0]], points[edges[e][1]]); }

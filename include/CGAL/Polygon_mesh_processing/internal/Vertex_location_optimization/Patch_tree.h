@@ -45,17 +45,22 @@ public:
     }
   }
 
-  double squared_distance(const Point& p) const
-  {
-    const double dx = (std::max)({ m_min[0] - p.x(), 0., p.x() - m_max[0] });
-    const double dy = (std::max)({ m_min[1] - p.y(), 0., p.y() - m_max[1] });
-    const double dz = (std::max)({ m_min[2] - p.z(), 0., p.z() - m_max[2] });
-    return dx * dx + dy * dy + dz * dz;
-  }
+  float min(int i) const { return m_min[i]; }
+  float max(int i) const { return m_max[i]; }
 
 private:
   std::array<float, 3> m_min, m_max;
 };
+
+// `Box` is a `Bbox_3` or an `Outer_box`.
+template <typename Box>
+double squared_distance_to_box(const Point& p, const Box& box)
+{
+  const double dx = (std::max)({ (box.min)(0) - p.x(), 0., p.x() - (box.max)(0) });
+  const double dy = (std::max)({ (box.min)(1) - p.y(), 0., p.y() - (box.max)(1) });
+  const double dz = (std::max)({ (box.min)(2) - p.z(), 0., p.z() - (box.max)(2) });
+  return dx * dx + dy * dy + dz * dz;
+}
 
 // Patches (see `Flat_triangle`) in an AABB tree, for closest points.
 template <typename Patch>
@@ -135,7 +140,7 @@ private:
 
     void intersection(const Point& query, const Primitive& primitive)
     {
-      if(primitive.box().squared_distance(query) <= m_squared_distance &&
+      if(squared_distance_to_box(query, primitive.box()) <= m_squared_distance &&
          m_patches[primitive.id()].improve_foot(query, m_foot.coordinates, m_squared_distance))
         m_foot.patch = primitive.id();
     }
@@ -143,25 +148,17 @@ private:
     template <typename Node>
     bool do_intersect(const Point& query, const Node& node) const
     {
-      return squared_distance_to(query, node.bbox()) <= m_squared_distance;
+      return squared_distance_to_box(query, node.bbox()) <= m_squared_distance;
     }
 
     template <typename Node>
     std::pair<bool, Priority> do_intersect_with_priority(const Point& query, const Node& node) const
     {
-      const double distance = squared_distance_to(query, node.bbox());
+      const double distance = squared_distance_to_box(query, node.bbox());
       return { distance <= m_squared_distance, -distance };
     }
 
   private:
-    static double squared_distance_to(const Point& p, const Bbox_3& box)
-    {
-      const double dx = (std::max)({ box.xmin() - p.x(), 0., p.x() - box.xmax() });
-      const double dy = (std::max)({ box.ymin() - p.y(), 0., p.y() - box.ymax() });
-      const double dz = (std::max)({ box.zmin() - p.z(), 0., p.z() - box.zmax() });
-      return dx * dx + dy * dy + dz * dz;
-    }
-
     const std::vector<Patch>& m_patches;
     Patch_foot m_foot;
     double m_squared_distance = (std::numeric_limits<double>::max)();

@@ -185,11 +185,9 @@ private:
   }
 
   std::array<Point, 3> triangle(std::size_t f) const { return triangle(f, m_state.targets); }
-
   std::array<Point, 3> triangle(std::size_t f, const std::vector<Point>& points) const
   {
-    const std::array<Index, 3>& v = m_state.mesh.faces[f];
-    return { points[v[0]], points[v[1]], points[v[2]] };
+    return m_state.mesh.triangle(f, points);
   }
 
   double sampled_maximum(std::size_t f) const

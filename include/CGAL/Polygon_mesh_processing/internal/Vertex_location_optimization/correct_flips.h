@@ -32,7 +32,8 @@ public:
     constexpr double cosine_of_flip = 0.5;
     constexpr double sine_of_collapse = 0.17364817766693036; // of 10 degrees
 
-    const std::array<Point, 3> before = triangle(m_state.initial_points, f), after = triangle(m_state.targets, f);
+    const std::array<Point, 3> before = m_state.mesh.triangle(f, m_state.initial_points),
+                               after = m_state.mesh.triangle(f, m_state.targets);
     const Vector m = area_normal(before[0], before[1], before[2]), n = area_normal(after[0], after[1], after[2]);
     const double area_before = norm(m), area_after = norm(n);
     if(!(area_before > 0))
@@ -51,12 +52,6 @@ public:
   void update(std::size_t) {}
 
 private:
-  std::array<Point, 3> triangle(const std::vector<Point>& points, std::size_t f) const
-  {
-    const std::array<Index, 3>& v = m_state.mesh.faces[f];
-    return { points[v[0]], points[v[1]], points[v[2]] };
-  }
-
   // the smallest angle is between the two longest sides
   static double squared_sine_of_smallest_angle(const std::array<Point, 3>& t, const double twice_area)
   {

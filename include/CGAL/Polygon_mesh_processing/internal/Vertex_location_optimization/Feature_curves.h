@@ -43,7 +43,6 @@ public:
   }
 
   Bbox_3 bbox() const { return b[0].bbox() + b[1].bbox() + b[2].bbox() + b[3].bbox(); }
-  Point reference_point() const { return point({ 0.5, 0 }); }
 
   Point point(const Coordinates& x) const
   {
@@ -57,6 +56,12 @@ public:
   {
     const double s = 1 - t;
     return 3 * (s * s * (b[1] - b[0]) + 2 * s * t * (b[2] - b[1]) + t * t * (b[3] - b[2]));
+  }
+
+  Foot_estimate estimate_foot(const Point& query) const
+  {
+    const Coordinates middle{ 0.5, 0 };
+    return { middle, 0, std::sqrt(squared_distance(query, point(middle))) };
   }
 
   bool improve_foot(const Point& query, Coordinates& x, double& squared_distance_bound) const

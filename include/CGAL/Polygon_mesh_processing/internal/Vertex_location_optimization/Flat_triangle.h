@@ -12,6 +12,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 
 namespace CGAL {
 namespace Polygon_mesh_processing {
@@ -40,45 +42,63 @@ inline double closest_on_segment(const Point& p, const Point& q, const Point& x)
   return length2 > 0 ? (std::min)(1., (std::max)(0., ((x - p) * d) / length2)) : 0.;
 }
 
-// Coordinates of the point of the triangle that is closest to x; any triangle, also one without an area.
-inline Coordinates closest_on_triangle(const std::array<Point, 3>& t, const Point& x)
+// Coordinates of the projection of x to the plane of the triangle; not numbers if the triangle has no area.
+inline Coordinates project_to_plane(const std::array<Point, 3>& t, const Point& x)
 {
   const Vector a = t[1] - t[0], b = t[2] - t[0], d = x - t[0];
   const Vector n = cross_product(a, b);
-  const double n2 = n.squared_length();
-  if(n2 > 0)
-  {
-    const double u = (cross_product(d, b) * n) / n2;
-    const double v = (cross_product(a, d) * n) / n2;
-    if(u >= 0 && v >= 0 && u + v <= 1)
-      return { u, v };
-  }
+  const double n2 = n.squared_length(); // 0 / 0 is not a number
+  return { (cross_product(d, b) * n) / n2, (cross_product(a, d) * n) / n2 };
+}
 
-  // the foot is on the boundary
-  const double s = closest_on_segment(t[0], t[1], x);
-  const double r = closest_on_segment(t[0], t[2], x);
-  const double w = closest_on_segment(t[1], t[2], x);
-  const std::array<Coordinates, 3> candidates{ { { s, 0. }, { 0., r }, { 1. - w, w } } };
-  Coordinates best = candidates[0];
-  double best_distance = squared_distance(point_at(t, best), x);
-  for(int i = 1; i < 3; ++i)
+// Coordinates of the point of the triangle that is closest to x; any triangle, also one without an area.
+inline Coordinates closest_on_triangle(const std::array<Point, 3>& t, const Point& x)
+{
+  const Coordinates projection = project_to_plane(t, x);
+  const auto [w, u, v] = projection.barycentric();
+  if(u >= 0 && v >= 0 && w >= 0)
+    return projection;
+
+  // the foot is on a side that x is beyond
+  Coordinates best;
+  double best_distance = (std::numeric_limits<double>::max)();
+  const auto try_side = [&](const Coordinates& foot)
   {
-    const double distance = squared_distance(point_at(t, candidates[i]), x);
+    const double distance = squared_distance(point_at(t, foot), x);
     if(distance < best_distance)
     {
       best_distance = distance;
-      best = candidates[i];
+      best = foot;
     }
+  };
+  if(!(v >= 0))
+    try_side({ closest_on_segment(t[0], t[1], x), 0 });
+  if(!(u >= 0))
+    try_side({ 0, closest_on_segment(t[0], t[2], x) });
+  if(!(w >= 0))
+  {
+    const double s = closest_on_segment(t[1], t[2], x);
+    try_side({ 1 - s, s });
   }
   return best;
 }
 
+// What is known of the foot of a point on a patch before it is computed.
+struct Foot_estimate
+{
+  Coordinates coordinates; // where to begin
+  double lower_bound;      // of the distance
+  double upper_bound;
+};
+
 // A triangle as a patch of a reference surface. A patch has
-//   - bbox(), a box that contains it, and reference_point(), a point near its middle;
+//   - bbox(), a box that contains it;
 //   - point(x) and normal(x), a unit vector or the null vector;
-//   - improve_foot(q, x, d2): if the patch has a point that is closer to q than sqrt(d2), sets x to its coordinates and
-//     d2 to its squared distance, and returns true;
-//   - improve_foot_from(q, x, d2), the same with x as initial guess.
+//   - estimate_foot(q), which is cheap, and flat_coordinates(q), those of the projection to the plane of its corners, which
+//     is even cheaper and may be beyond its sides;
+//   - improve_foot(q, x, d2): if the patch has a point that is closer to q than sqrt(d2), sets x, which must be those of
+//     the estimate, to its coordinates and d2 to its squared distance, and returns true;
+//   - improve_foot_from(q, x, d2), the same with any x near the foot.
 class Flat_triangle
 {
 public:
@@ -86,8 +106,6 @@ public:
   explicit Flat_triangle(const std::array<Point, 3>& corners) : m_corners(corners) {}
 
   Bbox_3 bbox() const { return m_corners[0].bbox() + m_corners[1].bbox() + m_corners[2].bbox(); }
-  Point reference_point() const { return point(Coordinates()); }
-
   double area() const { return norm(area_normal(m_corners[0], m_corners[1], m_corners[2])) / 2; }
   Point point(const Coordinates& x) const { return point_at(m_corners, x); }
   Vector normal(const Coordinates&) const
@@ -95,20 +113,31 @@ public:
     return normalized(area_normal(m_corners[0], m_corners[1], m_corners[2]));
   }
 
-  bool improve_foot(const Point& query, Coordinates& x, double& squared_distance_bound) const
+  Coordinates flat_coordinates(const Point& query) const { return project_to_plane(m_corners, query); }
+
+  Foot_estimate estimate_foot(const Point& query) const
   {
     const Coordinates foot = closest_on_triangle(m_corners, query);
+    const double distance = std::sqrt(squared_distance(query, point(foot)));
+    return { foot, distance, distance };
+  }
+
+  bool improve_foot(const Point& query, const Coordinates& foot, double& squared_distance_bound) const
+  {
     const double distance = squared_distance(query, point(foot));
     if(!(distance < squared_distance_bound))
       return false;
     squared_distance_bound = distance;
-    x = foot;
     return true;
   }
 
   bool improve_foot_from(const Point& query, Coordinates& x, double& squared_distance_bound) const
   {
-    return improve_foot(query, x, squared_distance_bound);
+    const Coordinates foot = closest_on_triangle(m_corners, query);
+    if(!improve_foot(query, foot, squared_distance_bound))
+      return false;
+    x = foot;
+    return true;
   }
 
 private:

@@ -66,13 +66,11 @@ public:
     n011 = edge_normal(c[1], c[2]);
     n101 = edge_normal(c[2], c[0]);
 
-    // By the convex hull property the patch lies in the box of its control points, and no point of it is farther from the
-    // point of the flat triangle with the same coordinates than the control point that is farthest from its place there.
-    m_bbox = b300.bbox() + b030.bbox() + b003.bbox();
+    // No point of the patch is farther from the point of the flat triangle with the same coordinates than the control
+    // point that is farthest from its place there.
     double deviation2 = 0;
     auto add_control_point = [&](const Point& b, double i, double j, double k)
     {
-      m_bbox += b.bbox();
       const Vector d = (b - b300) - (j * (b030 - b300) + k * (b003 - b300)) / (i + j + k);
       deviation2 = (std::max)(deviation2, d.squared_length());
     };
@@ -86,10 +84,20 @@ public:
     m_deviation = std::sqrt(deviation2);
   }
 
-  const Bbox_3& bbox() const { return m_bbox; }
-  Point reference_point() const { return point(Coordinates()); }
+  Bbox_3 bbox() const
+  {
+    const Bbox_3 box = m_corners[0].bbox() + m_corners[1].bbox() + m_corners[2].bbox();
+    return { box.xmin() - m_deviation, box.ymin() - m_deviation, box.zmin() - m_deviation,
+             box.xmax() + m_deviation, box.ymax() + m_deviation, box.zmax() + m_deviation };
+  }
+
   double area() const { return norm(area_normal(m_corners[0], m_corners[1], m_corners[2])) / 2; } // of the flat triangle
-  Point point(const Coordinates& x) const { return evaluate(x).point; }
+  Point point(const Coordinates& x) const
+  {
+    const double u = x.u, v = x.v;
+    return m_corners[0] + (u * (c10 + u * (c20 + u * c30) + v * (c11 + u * c21 + v * c12)) +
+                           v * (c01 + v * (c02 + v * c03)));
+  }
 
   // the quadratic normal; where it vanishes that of the cubic patch
   Vector normal(const Coordinates& x) const
@@ -103,16 +111,19 @@ public:
     return normalized(cross_product(d.du, d.dv));
   }
 
+  Coordinates flat_coordinates(const Point& query) const { return project_to_plane(m_corners, query); }
+
+  // from the flat triangle
+  Foot_estimate estimate_foot(const Point& query) const
+  {
+    const Coordinates x = closest_on_triangle(m_corners, query);
+    const double distance = std::sqrt(squared_distance(query, point_at(m_corners, x)));
+    return { x, (std::max)(0., distance - m_deviation), distance + m_deviation };
+  }
+
   bool improve_foot(const Point& query, Coordinates& x, double& squared_distance_bound) const
   {
-    Coordinates start = closest_on_triangle(m_corners, query);
-    const double lower_bound = std::sqrt(squared_distance(query, point_at(m_corners, start))) - m_deviation;
-    if(lower_bound > 0 && lower_bound * lower_bound >= squared_distance_bound)
-      return false;
-
-    if(is_bent())
-      start = closest_of_lattice(query, start);
-    return minimize_distance(query, start, x, squared_distance_bound);
+    return minimize_distance(query, is_bent() ? closest_of_lattice(query, x) : x, x, squared_distance_bound);
   }
 
   bool improve_foot_from(const Point& query, Coordinates& x, double& squared_distance_bound) const
@@ -152,8 +163,7 @@ private:
   Derivatives evaluate(const Coordinates& x) const
   {
     const double u = x.u, v = x.v;
-    return { m_corners[0] + (u * (c10 + u * (c20 + u * c30) + v * (c11 + u * c21 + v * c12)) +
-                             v * (c01 + v * (c02 + v * c03))),
+    return { point(x),
              c10 + u * (2 * c20 + 3 * u * c30) + v * (c11 + 2 * u * c21 + v * c12),
              c01 + v * (2 * c02 + 3 * v * c03) + u * (c11 + u * c21 + 2 * v * c12),
              2 * c20 + 6 * u * c30 + 2 * v * c21,
@@ -279,11 +289,11 @@ private:
     return best;
   }
 
+  // what an estimate takes comes first
   std::array<Point, 3> m_corners;
+  double m_deviation = 0; // upper bound of the distance between corresponding points of the patch and the flat triangle
   Vector c10, c01, c20, c11, c02, c30, c21, c12, c03; // the patch in powers of u and v, from corner 0
   Vector n200, n020, n002, n110, n011, n101;
-  Bbox_3 m_bbox;
-  double m_deviation = 0; // upper bound of the distance between corresponding points of the patch and the flat triangle
 };
 
 } // namespace vertex_location

@@ -49,7 +49,7 @@ public:
   Foot project(const Point_3& query, const Foot& hint) const
   {
     CGAL_precondition(!is_empty());
-    return m_patches.tree.project(convert<Point>(query), hint);
+    return m_patches.project(convert<Point>(query), hint);
   }
 
   Point_3 point(const Foot& foot) const { return convert<Point_3>(m_patches.tree.point(foot)); }

@@ -9,6 +9,7 @@
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/compatibility.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Flat_triangle.h>
 
+#include <boost/container/small_vector.hpp>
 #include <boost/range/irange.hpp>
 
 #include <algorithm>
@@ -36,19 +37,25 @@ class Outer_box
 public:
   Outer_box() = default;
   explicit Outer_box(const Bbox_3& box)
-  {
-    constexpr float infinity = std::numeric_limits<float>::infinity();
-    for(int i = 0; i < 3; ++i)
-    {
-      m_min[i] = std::nextafter(static_cast<float>((box.min)(i)), -infinity);
-      m_max[i] = std::nextafter(static_cast<float>((box.max)(i)), infinity);
-    }
-  }
+    : m_min{ { below(box.xmin()), below(box.ymin()), below(box.zmin()) } },
+      m_max{ { above(box.xmax()), above(box.ymax()), above(box.zmax()) } }
+  {}
 
-  float min(int i) const { return m_min[i]; }
-  float max(int i) const { return m_max[i]; }
+  double xmin() const { return m_min[0]; }
+  double ymin() const { return m_min[1]; }
+  double zmin() const { return m_min[2]; }
+  double xmax() const { return m_max[0]; }
+  double ymax() const { return m_max[1]; }
+  double zmax() const { return m_max[2]; }
+
+  Bbox_3 bbox() const { return { xmin(), ymin(), zmin(), xmax(), ymax(), zmax() }; }
+  Point center() const { return midpoint(Point(xmin(), ymin(), zmin()), Point(xmax(), ymax(), zmax())); }
 
 private:
+  static constexpr float infinity = std::numeric_limits<float>::infinity();
+  static float below(double x) { return std::nextafter(static_cast<float>(x), -infinity); }
+  static float above(double x) { return std::nextafter(static_cast<float>(x), infinity); }
+
   std::array<float, 3> m_min, m_max;
 };
 
@@ -56,40 +63,36 @@ private:
 template <typename Box>
 double squared_distance_to_box(const Point& p, const Box& box)
 {
-  const double dx = (std::max)({ (box.min)(0) - p.x(), 0., p.x() - (box.max)(0) });
-  const double dy = (std::max)({ (box.min)(1) - p.y(), 0., p.y() - (box.max)(1) });
-  const double dz = (std::max)({ (box.min)(2) - p.z(), 0., p.z() - (box.max)(2) });
-  return dx * dx + dy * dy + dz * dz;
+  const auto outside = [](double x, double min, double max) { return (std::max)((std::max)(min - x, x - max), 0.); };
+  return square(outside(p.x(), box.xmin(), box.xmax())) +
+         square(outside(p.y(), box.ymin(), box.ymax())) +
+         square(outside(p.z(), box.zmin(), box.zmax()));
 }
 
 // Patches (see `Flat_triangle`) in an AABB tree, for closest points.
 template <typename Patch>
 class Patch_tree
 {
-  struct Primitive
+  // An AABB primitive of which the tree knows the box: the patch is far away in memory.
+  class Primitive
   {
+  public:
     using Id = Index;
     using Point = vertex_location::Point;
-    using Datum = Patch;
-    using Datum_reference = const Patch&;
-    struct Shared_data
-    {
-      const Patch* patches = nullptr;
-    };
+    using Datum = Outer_box;
+    using Datum_reference = const Outer_box&;
 
     Primitive() = default;
     template <typename Iterator>
     Primitive(Iterator it, const Patch* patches) : m_id(static_cast<Id>(*it)), m_box(patches[m_id].bbox()) {}
 
     Id id() const { return m_id; }
-    const Outer_box& box() const { return m_box; }
-    const Patch& datum(const Shared_data& data) const { return data.patches[m_id]; }
-    Point reference_point(const Shared_data& data) const { return data.patches[m_id].reference_point(); }
-    static Shared_data construct_shared_data(const Patch* patches) { return { patches }; }
+    const Outer_box& datum() const { return m_box; }
+    Point reference_point() const { return m_box.center(); }
 
   private:
     Id m_id = no_index;
-    Outer_box m_box; // the tree has none for a primitive, and the patch itself is far away in memory
+    Outer_box m_box;
   };
 
   using Tree = AABB_tree<AABB_traits_for<Kernel, Primitive>>;
@@ -113,55 +116,89 @@ public:
   // The closest point of the surface, which must not be empty. A foot of a point nearby as hint makes the search faster.
   Patch_foot project(const Point& query, const Patch_foot& hint = Patch_foot()) const
   {
-    Closest_patch closest(m_patches, query, hint);
-    m_tree.traversal_with_priority(query, closest);
-    return closest.foot();
+    Patch_foot foot = hint;
+    double distance2 = (std::numeric_limits<double>::max)();
+    if(hint.patch == no_index)
+      foot.patch = 0; // what remains where squared distances overflow
+    else
+      distance2 = squared_distance(query, point(hint));
+
+    Find_candidates find_candidates(m_patches, distance2);
+    m_tree.traversal_with_priority(query, find_candidates);
+    for(const Candidate& candidate : find_candidates.sorted())
+    {
+      if(square(candidate.estimate.lower_bound) >= distance2)
+        break;
+      Coordinates x = candidate.estimate.coordinates;
+      if(m_patches[candidate.patch].improve_foot(query, x, distance2))
+        foot = { candidate.patch, x };
+    }
+    return foot;
   }
 
 private:
-  // Traverses the tree to the patch with the closest point, the nearer child first.
-  class Closest_patch
+  // a patch that may have the closest point
+  struct Candidate
+  {
+    Index patch;
+    Foot_estimate estimate;
+  };
+
+  // Traverses the tree, the nearer child first, and collects the patches that may be closer than what is known so far.
+  // Their estimates, which are cheap, suffice for that.
+  class Find_candidates
   {
   public:
     using Priority = double;
+    using Candidates = boost::container::small_vector<Candidate, 16>;
 
-    Closest_patch(const std::vector<Patch>& patches, const Point& query, const Patch_foot& hint)
-      : m_patches(patches), m_foot(hint)
+    Find_candidates(const std::vector<Patch>& patches, const double squared_distance_bound)
+      : m_patches(patches), m_squared_distance_bound(squared_distance_bound)
+    {}
+
+    // by increasing lower bounds of their distances
+    const Candidates& sorted()
     {
-      if(hint.patch == no_index)
-        m_foot.patch = 0; // what remains where squared distances overflow
-      else
-        m_squared_distance = squared_distance(query, m_patches[hint.patch].point(hint.coordinates));
+      std::sort(m_candidates.begin(), m_candidates.end(), [](const Candidate& a, const Candidate& b)
+      {
+        return a.estimate.lower_bound < b.estimate.lower_bound;
+      });
+      return m_candidates;
     }
-
-    const Patch_foot& foot() const { return m_foot; }
 
     bool go_further() const { return true; }
 
     void intersection(const Point& query, const Primitive& primitive)
     {
-      if(squared_distance_to_box(query, primitive.box()) <= m_squared_distance &&
-         m_patches[primitive.id()].improve_foot(query, m_foot.coordinates, m_squared_distance))
-        m_foot.patch = primitive.id();
+      if(!is_near(query, primitive.datum()))
+        return;
+      const Foot_estimate estimate = m_patches[primitive.id()].estimate_foot(query);
+      if(!(square(estimate.lower_bound) <= m_squared_distance_bound))
+        return;
+      m_candidates.push_back({ primitive.id(), estimate });
+      m_squared_distance_bound = (std::min)(m_squared_distance_bound, square(estimate.upper_bound));
     }
 
     template <typename Node>
-    bool do_intersect(const Point& query, const Node& node) const
-    {
-      return squared_distance_to_box(query, node.bbox()) <= m_squared_distance;
-    }
+    bool do_intersect(const Point& query, const Node& node) const { return is_near(query, node.bbox()); }
 
     template <typename Node>
     std::pair<bool, Priority> do_intersect_with_priority(const Point& query, const Node& node) const
     {
       const double distance = squared_distance_to_box(query, node.bbox());
-      return { distance <= m_squared_distance, -distance };
+      return { distance <= m_squared_distance_bound, -distance };
     }
 
   private:
+    template <typename Box>
+    bool is_near(const Point& query, const Box& box) const
+    {
+      return squared_distance_to_box(query, box) <= m_squared_distance_bound;
+    }
+
     const std::vector<Patch>& m_patches;
-    Patch_foot m_foot;
-    double m_squared_distance = (std::numeric_limits<double>::max)();
+    Candidates m_candidates;
+    double m_squared_distance_bound;
   };
 
   std::vector<Patch> m_patches;

@@ -100,11 +100,17 @@ void make_patches(const Mesh_arrays& mesh,
 template <typename Patch>
 struct Reference_patches
 {
+  // The closest point of the surface, which must not be empty. A foot of a point nearby as hint makes the search faster.
+  Patch_foot project(const Point& query, const Patch_foot& hint) const
+  {
+    return tree.project(query, hint.patch == no_index ? hint : approach(query, hint));
+  }
+
   // The closest point of the surface as far as walking from the patch of `hint` over neighbors leads closer. Much faster
   // than the tree, and the same point unless another sheet of the surface is closer.
   Patch_foot walk(const Point& query, const Patch_foot& hint) const
   {
-    Patch_foot foot = hint;
+    Patch_foot foot = approach(query, hint);
     double distance = (std::numeric_limits<double>::max)();
     tree.patch(foot.patch).improve_foot_from(query, foot.coordinates, distance);
     while(step_to_neighbor(query, foot, distance))
@@ -162,6 +168,24 @@ struct Reference_patches
   Feature_curves curves;
 
 private:
+  // A hint closer to `query` where going straight there from that of `hint`, as if the patches were flat, leads.
+  Patch_foot approach(const Point& query, const Patch_foot& hint) const
+  {
+    constexpr int max_steps = 16;
+    Index patch = hint.patch;
+    for(int step = 0; step < max_steps; ++step)
+    {
+      const std::array<double, 3> lambda = tree.patch(patch).flat_coordinates(query).barycentric();
+      const auto k = std::min_element(lambda.begin(), lambda.end()) - lambda.begin();
+      if(!(lambda[k] < 0) || neighbors[patch][k] == no_index)
+        break;
+      patch = neighbors[patch][k] / 3;
+    }
+    if(patch == hint.patch)
+      return hint;
+    return { patch, tree.patch(patch).estimate_foot(query).coordinates };
+  }
+
   // The same point in the neighbor across side k; in none if the foot is not on that side or there is no neighbor.
   Patch_foot foot_across(const Patch_foot& foot, const Index k) const
   {

@@ -31,8 +31,8 @@ struct Errors
   double max = 0;
 };
 
-// The distance from the faces of the mesh to a surface: midpoint rule on splits * splits triangles a face, and the
-// corners for the maximum. `distance(p)` is that of a point to the surface.
+// The distance from the faces of the mesh to a surface: midpoint rule on splits * splits triangles a face, and also the
+// sides for the maximum. `distance(p)` is that of a point to the surface.
 template <typename Distance>
 Errors measure_errors(const Mesh& mesh, int splits, const Distance& distance)
 {
@@ -56,8 +56,13 @@ Errors measure_errors(const Mesh& mesh, int splits, const Distance& distance)
         if(i + j < splits - 1)
           sum += distance_at((i + 2 / 3.) / splits, (j + 2 / 3.) / splits);
       }
-    for(int k = 0; k < 3; ++k)
-      distance_at(k == 1, k == 2);
+    for(int i = 0; i < splits; ++i) // on the sides, where the mean has no samples
+    {
+      const double u = double(i) / splits;
+      distance_at(u, 0);
+      distance_at(1 - u, u);
+      distance_at(0, 1 - u);
+    }
     errors.mean += area * sum / (splits * splits);
     sum_of_areas += area;
   }

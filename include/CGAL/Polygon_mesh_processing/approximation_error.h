@@ -183,7 +183,7 @@ Approximation_error approximation_error(const TriangleMesh& tmesh,
     {
       const auto face_error_map = get_parameter(np1, internal_np::face_error_map);
       for(std::size_t f = 0; f < face_errors.size(); ++f)
-        put(face_error_map, descriptors.faces[f], face_errors[f].mean);
+        put(face_error_map, face(descriptors.halfedges[f], tmesh), face_errors[f].mean);
     }
     if constexpr(has_vertex_map)
     {

@@ -25,7 +25,8 @@ namespace Polygon_mesh_processing {
 namespace internal {
 namespace vertex_location {
 
-// A triangle mesh in contiguous arrays, in an order in which what is close in space is close in memory.
+// A triangle mesh in contiguous arrays, in an order in which what is close in space is close in memory: the vertices along
+// a space-filling curve, edges and faces in the order of their first vertices, with which they begin.
 //
 // Corner c = 3 f + k is the corner k of face f. The edge opposite to corner k of f is `face_edges[f][k]`: it goes from
 // the corner k + 1 to the corner k + 2 of f.
@@ -92,7 +93,7 @@ struct Mesh_descriptors
 {
   std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> vertices;
   std::vector<typename boost::graph_traits<TriangleMesh>::edge_descriptor> edges;
-  std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor> faces;
+  std::vector<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor> halfedges; // to the first vertex of each face
 };
 
 // Whether `tmesh` can be worked on: all its faces are triangles and all its coordinates are finite.
@@ -130,7 +131,6 @@ Mesh_arrays make_mesh_arrays(const TriangleMesh& tmesh,
     descriptors.vertices.push_back(v);
   }
 
-  // edges and faces in the order of their first vertex
   auto sort_by_first_vertex = [](auto& keyed)
   {
     std::stable_sort(keyed.begin(), keyed.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
@@ -146,36 +146,41 @@ Mesh_arrays make_mesh_arrays(const TriangleMesh& tmesh,
   {
     const auto e = key_and_edge.second;
     put(edge_index, e, static_cast<Index>(mesh.edges.size()));
-    mesh.edges.push_back({ get(vertex_index, source(e, tmesh)), get(vertex_index, target(e, tmesh)) });
+    const auto ends = std::minmax({ get(vertex_index, source(e, tmesh)), get(vertex_index, target(e, tmesh)) });
+    mesh.edges.push_back({ ends.first, ends.second });
     mesh.edge_corners.push_back({ no_index, no_index });
     descriptors.edges.push_back(e);
   }
 
-  std::vector<std::pair<Index, typename boost::graph_traits<TriangleMesh>::face_descriptor>> face_order;
+  using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
+  std::vector<std::pair<Index, halfedge_descriptor>> face_order; // a face by the halfedge to its first vertex
   for(auto f : faces(tmesh))
   {
-    Index first = no_index;
-    for(auto v : vertices_around_face(halfedge(f, tmesh), tmesh))
-      first = (std::min)(first, get(vertex_index, v));
-    face_order.emplace_back(first, f);
+    const auto around = halfedges_around_face(halfedge(f, tmesh), tmesh);
+    const auto first = std::min_element(around.begin(), around.end(), [&](halfedge_descriptor g, halfedge_descriptor h)
+    {
+      return get(vertex_index, target(g, tmesh)) < get(vertex_index, target(h, tmesh));
+    });
+    face_order.emplace_back(get(vertex_index, target(*first, tmesh)), *first);
   }
   sort_by_first_vertex(face_order);
 
-  for(const auto& key_and_face : face_order)
+  for(const auto& key_and_halfedge : face_order)
   {
     const Index f = static_cast<Index>(mesh.faces.size());
     mesh.faces.emplace_back();
     mesh.face_edges.emplace_back();
     Index k = 0;
-    for(auto h : halfedges_around_face(halfedge(key_and_face.second, tmesh), tmesh))
+    for(auto h : halfedges_around_face(key_and_halfedge.second, tmesh))
     {
-      const Index e = get(edge_index, edge(h, tmesh));
-      mesh.faces[f][k] = get(vertex_index, target(next(h, tmesh), tmesh));
+      // the edge opposite to a corner is that of the halfedge after the next
+      const Index e = get(edge_index, edge(prev(h, tmesh), tmesh));
+      mesh.faces[f][k] = get(vertex_index, target(h, tmesh));
       mesh.face_edges[f][k] = e;
       mesh.edge_corners[e][mesh.edge_corners[e][0] == no_index ? 0 : 1] = 3 * f + k;
       ++k;
     }
-    descriptors.faces.push_back(key_and_face.second);
+    descriptors.halfedges.push_back(key_and_halfedge.second);
   }
   return mesh;
 }

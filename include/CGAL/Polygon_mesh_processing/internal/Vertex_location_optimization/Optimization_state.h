@@ -38,7 +38,7 @@ struct Optimization_state
 {
   Optimization_state(Mesh_arrays mesh_arrays, Constraints c)
     : mesh(std::move(mesh_arrays)), constraints(std::move(c)), initial_points(mesh.points), targets(mesh.points),
-      vertex_samples(mesh.points.size()), midpoint_samples(mesh.edges.size())
+      vertex_samples(mesh.points.size()), midpoint_samples(mesh.edges.size()), barycenter_samples(mesh.faces.size())
   {
     group_corners_by_vertex();
 
@@ -75,8 +75,9 @@ struct Optimization_state
   std::vector<Point> initial_points;        // of M_0
   std::vector<Point> targets;               // p^_i, which become the points of M_t+1; before they are set, M_t-1
 
-  Reference_samples<Foot> vertex_samples;   // p_i and n_i
-  Reference_samples<Foot> midpoint_samples; // m_ij
+  Reference_samples<Foot> vertex_samples;     // p_i and n_i
+  Reference_samples<Foot> midpoint_samples;   // m_ij
+  Reference_samples<Foot> barycenter_samples; // none if the fit takes none
 
   double spring_length = 0;                 // sigma of (3)
   double mean_edge_length = 0;              // of M_0

@@ -7,6 +7,7 @@
 #define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_SAMPLED_ERROR_H
 
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Flat_triangle.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/for_each_element.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Optimization_state.h>
 
 #include <algorithm>
@@ -54,18 +55,10 @@ public:
   {
     const Mesh_arrays& mesh = m_state.mesh;
     allocate();
-    for_each_index<ConcurrencyTag>(mesh.points.size(), [&](std::size_t i)
-    {
-      m_at_vertex[i] = norm(mesh.points[i] - m_state.vertex_samples.points[i]);
-    });
-    for_each_index<ConcurrencyTag>(mesh.edges.size(), [&](std::size_t e)
-    {
-      m_at_midpoint[e] = norm(mesh.midpoint(e) - m_state.midpoint_samples.points[e]);
-    });
-    for_each_index<ConcurrencyTag>(mesh.faces.size(), [&](std::size_t f)
-    {
-      set_barycenter(f, m_reference.project(convert<Reference_point>(barycenter(f)), hint_for_barycenter(f)));
-    });
+    for_each_element<ConcurrencyTag>(mesh,
+      [&](std::size_t i) { m_at_vertex[i] = norm(mesh.points[i] - m_state.vertex_samples.points[i]); },
+      [&](std::size_t e) { m_at_midpoint[e] = norm(mesh.midpoint(e) - m_state.midpoint_samples.points[e]); },
+      [&](std::size_t f) { set_barycenter(f, m_state.barycenter_samples.feet[f]); });
   }
 
   // Samples the targets. Each distance is that to the point where walking from the feet of the last iteration leads, rather
@@ -73,11 +66,11 @@ public:
   template <typename ConcurrencyTag>
   void sample_targets()
   {
-    const Mesh_arrays& mesh = m_state.mesh;
     allocate();
-    for_each_index<ConcurrencyTag>(mesh.points.size(), [&](std::size_t i) { sample_vertex(i); });
-    for_each_index<ConcurrencyTag>(mesh.edges.size(), [&](std::size_t e) { sample_midpoint(e); });
-    for_each_index<ConcurrencyTag>(mesh.faces.size(), [&](std::size_t f) { sample_barycenter(f); });
+    for_each_element<ConcurrencyTag>(m_state.mesh,
+      [&](std::size_t i) { sample_vertex(i); },
+      [&](std::size_t e) { sample_midpoint(e); },
+      [&](std::size_t f) { sample_barycenter(f); });
   }
 
   // the samples are not needed until they are taken again
@@ -281,7 +274,7 @@ private:
 
   const Foot& hint_for_barycenter(std::size_t f) const
   {
-    return m_state.midpoint_samples.feet[m_state.mesh.face_edges[f][0]];
+    return m_state.midpoint_samples.feet[m_state.mesh.face_edges[f][1]];
   }
 
   void set_barycenter(std::size_t f, const Foot& foot)

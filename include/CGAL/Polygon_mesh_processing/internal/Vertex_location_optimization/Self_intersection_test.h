@@ -49,8 +49,8 @@ public:
     for(std::size_t i = 0; i < points.size(); ++i)
       put(vertex_point, m_descriptors.vertices[i], convert<Test_kernel::Point_3>(points[i]));
     auto face_index = get(dynamic_face_property_t<Index>(), m_tmesh);
-    for(std::size_t f = 0; f < m_descriptors.faces.size(); ++f)
-      put(face_index, m_descriptors.faces[f], static_cast<Index>(f));
+    for(std::size_t f = 0; f < m_descriptors.halfedges.size(); ++f)
+      put(face_index, face(m_descriptors.halfedges[f], m_tmesh), static_cast<Index>(f));
 
     std::vector<std::pair<face_descriptor, face_descriptor>> faces;
     self_intersections<ConcurrencyTag>(m_tmesh, std::back_inserter(faces),

@@ -11,6 +11,7 @@
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/fit_least_squares.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/fit_piecewise_linear.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/relax_springs.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/sample_both_surfaces.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/sample_reference.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/take_back_harm.h>
 #include <CGAL/Polygon_mesh_processing/Placement_method.h>
@@ -111,7 +112,7 @@ private:
   {
     const double distance = 0.05 * m_state.mean_edge_length;
     if(is_least_squares())
-      return { 0.01 * m_state.mean_edge_length, distance, true };
+      return { 0.02 * m_state.mean_edge_length, distance, true };
     const bool is_first_along_normal = m_report.iterations == m_options.number_of_free_iterations;
     return { is_first_along_normal ? 0 : 0.05 * m_state.mean_edge_length, distance, is_free() };
   }
@@ -121,21 +122,26 @@ private:
     if(is_first())
     {
       start_samples<ConcurrencyTag>(m_reference, m_state);
-      if(is_least_squares())
-        start_both_samples<ConcurrencyTag>(m_reference, tolerance(), m_state, m_samples);
       m_harm_criterion.template measure_remesh<ConcurrencyTag>();
-    }
-    else if(!is_last())
-    {
-      update_samples<ConcurrencyTag>(m_reference, tolerance(), m_state);
       if(is_least_squares())
-        update_both_samples<ConcurrencyTag>(m_reference, tolerance(), m_state, m_samples);
+      {
+        choose_reference_samples(m_reference, m_state.mesh.faces.size(), m_of_reference);
+        find_closest_faces<ConcurrencyTag>(m_state, m_of_reference);
+      }
+      else
+        m_state.barycenter_samples = {};
     }
-    if(is_last())
+    else if(is_last())
     {
       sample_closest_points<ConcurrencyTag>(m_reference, m_state);
       if(is_least_squares())
-        sample_closest_points_of_both<ConcurrencyTag>(m_reference, m_state, m_samples);
+        walk_to_closest_faces<ConcurrencyTag>(m_state, -1, m_of_reference); // all
+    }
+    else
+    {
+      update_samples<ConcurrencyTag>(m_reference, tolerance(), m_state);
+      if(is_least_squares())
+        walk_to_closest_faces<ConcurrencyTag>(m_state, tolerance().path, m_of_reference);
     }
     m_feature_edges.sample<ConcurrencyTag>(m_state);
   }
@@ -143,7 +149,7 @@ private:
   void fit()
   {
     if(is_least_squares())
-      fit_least_squares<ConcurrencyTag>(m_state, m_samples, m_options.regularity_weight);
+      fit_least_squares<ConcurrencyTag>(m_state, m_of_reference, m_options.regularity_weight);
     else
       fit_piecewise_linear<ConcurrencyTag>(m_state, !is_free());
     m_feature_edges.fit<ConcurrencyTag>(m_state, !is_free());
@@ -239,7 +245,7 @@ private:
   const FindSelfIntersections& m_find_self_intersections;
   Visitor& m_visitor;
   Feature_edges m_feature_edges;
-  Two_sided_samples<typename ReferenceSurface::Foot> m_samples; // of LEAST_SQUARES
+  Samples_of_reference m_of_reference; // of LEAST_SQUARES
   Harm_criterion<ReferenceSurface> m_harm_criterion;
   std::vector<char> m_is_shortened;
   bool m_has_settled = false; // no vertex has moved farther than the threshold

@@ -11,6 +11,7 @@
 #include <CGAL/Default_diagonalize_traits.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -29,14 +30,22 @@ public:
   // by `residual`.
   void add_row(const double weight, const double lambda, const Vector& n, const double residual)
   {
-    const double w = weight * lambda * lambda;
-    m_H[0] += w * n.x() * n.x();
-    m_H[1] += w * n.x() * n.y();
-    m_H[2] += w * n.x() * n.z();
-    m_H[3] += w * n.y() * n.y();
-    m_H[4] += w * n.y() * n.z();
-    m_H[5] += w * n.z() * n.z();
+    const Vector m = (weight * lambda * lambda) * n;
+    m_H[0] += m.x() * n.x();
+    m_H[1] += m.x() * n.y();
+    m_H[2] += m.x() * n.z();
+    m_H[3] += m.y() * n.y();
+    m_H[4] += m.y() * n.z();
+    m_H[5] += m.z() * n.z();
     m_g = m_g + (weight * lambda * residual) * n;
+  }
+
+  Normal_equations& operator+=(const Normal_equations& other)
+  {
+    for(int k = 0; k < 6; ++k)
+      m_H[k] += other.m_H[k];
+    m_g = m_g + other.m_g;
+    return *this;
   }
 
   // The solution if the vertex is pulled, too, in the directions in which the rows say little: along a smooth surface,
@@ -67,46 +76,45 @@ private:
   Vector m_g = NULL_VECTOR;
 };
 
-// Adds the rows of the samples in the face of the corner c at vertex i. With the weights 1/20 at the vertices, 2/15 at
-// the midpoints and 9/20 at the barycenter they integrate cubics exactly.
+// What the samples in face f, but for those at its vertices, say to each of its vertices. With the weights 1/20 at the
+// vertices, 2/15 at the midpoints and 9/20 at the barycenter they integrate cubics exactly.
 template <typename Foot>
-void add_rows(const Optimization_state<Foot>& state,
-              const Two_sided_samples<Foot>& samples,
-              const std::size_t i,
-              const Index c,
-              const double area,
-              Normal_equations& equations)
+std::array<Normal_equations, 3> face_equations(const Optimization_state<Foot>& state,
+                                               const Samples_of_reference& of_reference,
+                                               const std::size_t f)
 {
-  const Mesh_arrays& mesh = state.mesh;
-  const Index f = c / 3;
-  const Point& v = mesh.points[i];
+  const std::array<Point, 3> t = state.mesh.triangle(f);
+  const double area = norm(area_normal(t[0], t[1], t[2])) / 2;
 
-  const Vector& n = state.vertex_samples.normals[i];
-  equations.add_row(area / 20, 1, n, n * (state.vertex_samples.points[i] - v));
-
-  for(Index other : { Mesh_arrays::next(c), Mesh_arrays::previous(c) })
+  std::array<Normal_equations, 3> equations;
+  for(int k = 0; k < 3; ++k)
   {
-    const Index e = mesh.opposite_edge(other == Mesh_arrays::next(c) ? Mesh_arrays::previous(c) : Mesh_arrays::next(c));
-    const Vector& n_m = state.midpoint_samples.normals[e];
-    equations.add_row(area * 2 / 15, 0.5, n_m,
-                      n_m * (state.midpoint_samples.points[e] - midpoint(v, mesh.points[mesh.vertex(other)])));
+    const int i = (k + 1) % 3, j = (k + 2) % 3;
+    const Index e = state.mesh.face_edges[f][k];
+    const Vector& n = state.midpoint_samples.normals[e];
+    const double residual = n * (state.midpoint_samples.points[e] - midpoint(t[i], t[j]));
+    equations[i].add_row(area * 2 / 15, 0.5, n, residual);
+    equations[j].add_row(area * 2 / 15, 0.5, n, residual);
   }
 
-  const std::array<Point, 3> t = mesh.triangle(f);
-  const Vector& n_b = samples.barycenter_samples.normals[f];
-  equations.add_row(area * 9 / 20, 1. / 3, n_b, n_b * (samples.barycenter_samples.points[f] - centroid(t[0], t[1], t[2])));
+  const Vector& n = state.barycenter_samples.normals[f];
+  const double residual = n * (state.barycenter_samples.points[f] - centroid(t[0], t[1], t[2]));
+  for(Normal_equations& of_corner : equations)
+    of_corner.add_row(area * 9 / 20, 1. / 3, n, residual);
 
-  for(Index k = samples.first_of_face[f]; k < samples.first_of_face[f + 1]; ++k)
+  for(Index s = of_reference.first_of_face[f]; s < of_reference.first_of_face[f + 1]; ++s)
   {
-    const Reference_sample& sample = samples.of_reference[samples.by_face[k]];
+    const Reference_sample& sample = of_reference.samples[of_reference.by_face[s]];
     const std::array<double, 3> lambda = sample.foot.coordinates.barycentric();
     const Vector d = sample.point - point_at(t, sample.foot.coordinates);
     // inside the face the reference's normal, on its boundary the direction to the sample
     const bool is_inside = *std::min_element(lambda.begin(), lambda.end()) > 1e-12;
     const Vector direction = is_inside ? Vector(NULL_VECTOR) : normalized(d);
     const Vector& n_y = direction != NULL_VECTOR ? direction : sample.normal;
-    equations.add_row(sample.area, lambda[c % 3], n_y, n_y * d);
+    for(int k = 0; k < 3; ++k)
+      equations[k].add_row(sample.area, lambda[k], n_y, n_y * d);
   }
+  return equations;
 }
 
 // From v to the apex of the equilateral triangle over the side pq, less the farther it is: what is far from regular
@@ -128,12 +136,18 @@ inline Vector pull_to_equilateral(const Point& v, const Point& p, const Point& q
 // last displacement is repeated to get there sooner. A vertex whose samples fit stays.
 template <typename ConcurrencyTag, typename Foot>
 void fit_least_squares(Optimization_state<Foot>& state,
-                       const Two_sided_samples<Foot>& samples,
+                       const Samples_of_reference& of_reference,
                        const double regularity_weight)
 {
   constexpr double relaxation = 0.7, momentum = 0.5, max_step = 0.25; // max_step relative to the mean edge length
 
   const Mesh_arrays& mesh = state.mesh;
+  std::vector<std::array<Normal_equations, 3>> of_faces(mesh.faces.size());
+  for_each_index<ConcurrencyTag>(of_faces.size(), [&](std::size_t f)
+  {
+    of_faces[f] = face_equations(state, of_reference, f);
+  });
+
   for_each_index<ConcurrencyTag>(mesh.points.size(), [&](std::size_t i)
   {
     const Point& v = mesh.points[i];
@@ -148,13 +162,14 @@ void fit_least_squares(Optimization_state<Foot>& state,
     std::size_t number_of_faces = 0;
     state.for_each_corner(i, [&](Index c)
     {
-      const double area_of_face = norm(mesh.area_normal(c / 3)) / 2;
-      add_rows(state, samples, i, c, area_of_face, equations);
+      equations += of_faces[c / 3][c % 3];
       pull = pull + pull_to_equilateral(v, mesh.points[mesh.vertex(Mesh_arrays::next(c))],
                                         mesh.points[mesh.vertex(Mesh_arrays::previous(c))]);
-      area += area_of_face;
+      area += norm(mesh.area_normal(c / 3)) / 2;
       ++number_of_faces;
     });
+    const Vector& n = state.vertex_samples.normals[i];
+    equations.add_row(area / 20, 1, n, n * (state.vertex_samples.points[i] - v));
     if(!(area > 0) || norm(equations.right_hand_side()) <= 1e-9 * area * state.mean_edge_length)
       return;
 

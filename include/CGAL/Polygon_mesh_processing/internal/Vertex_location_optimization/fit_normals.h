@@ -31,8 +31,6 @@ std::vector<Vector> fit_normals(const Mesh_arrays& mesh,
                                 const Normal_samples& samples,
                                 const std::vector<char>& is_crease)
 {
-  const auto n = [&](Index c) -> const Vector& { return samples.at_corners[c]; };
-  const auto m = [&](Index c) -> const Vector& { return samples.at_midpoints[c]; };
   const Sectors sectors(mesh, is_crease);
 
   std::vector<Vector> normals(3 * mesh.faces.size());
@@ -41,9 +39,12 @@ std::vector<Vector> fit_normals(const Mesh_arrays& mesh,
     Vector sum = NULL_VECTOR, sample = NULL_VECTOR;
     sectors.for_each_corner(static_cast<Index>(i), [&](Index c)
     {
-      sum = sum + norm(mesh.area_normal(c / 3)) * (n(c) + piecewise_linear_update(c, n, m));
+      const Index first = c - c % 3;
+      const auto n = [&](Index k) -> const Vector& { return samples.at_corners[first + k]; };
+      const auto m = [&](Index k) -> const Vector& { return samples.at_midpoints[first + k]; };
+      sum = sum + norm(mesh.area_normal(c / 3)) * (n(c % 3) + piecewise_linear_update(c % 3, n, m));
       if(sample == NULL_VECTOR)
-        sample = n(c);
+        sample = n(c % 3);
     });
     normals[i] = unit_normal_or(sum, sample);
   });

@@ -15,14 +15,14 @@ namespace Polygon_mesh_processing {
 namespace internal {
 namespace vertex_location {
 
-// Equation (1) in the face of corner c = i, relative to the signal at i, where it loses no digits. The signal, points or
-// vectors, is p(c) at a corner and m(c) at the midpoint of the edge that is opposite to it.
+// Equation (1) for the corner i of a face, relative to the signal there, where it loses no digits. The signal, points or
+// vectors, is p(k) at corner k and m(k) at the midpoint of the side that is opposite to it.
 template <typename CornerSignal, typename MidpointSignal>
-Vector piecewise_linear_update(const Index c, const CornerSignal& p, const MidpointSignal& m)
+Vector piecewise_linear_update(const Index i, const CornerSignal& p, const MidpointSignal& m)
 {
-  const Index j = Mesh_arrays::next(c), k = Mesh_arrays::previous(c);
-  const auto& p_i = p(c);
-  return (11 * ((m(k) - p_i) + (m(j) - p_i)) - 7 * (m(c) - p_i) - 2 * ((p(j) - p_i) + (p(k) - p_i))) / 15;
+  const Index j = i == 2 ? 0 : i + 1, k = i == 0 ? 2 : i - 1;
+  const auto& p_i = p(i);
+  return (11 * ((m(k) - p_i) + (m(j) - p_i)) - 7 * (m(i) - p_i) - 2 * ((p(j) - p_i) + (p(k) - p_i))) / 15;
 }
 
 // Section 3.2: the piecewise linear surface closest to the samples, as far as one vertex with its faces can tell,
@@ -32,9 +32,6 @@ template <typename ConcurrencyTag, typename Foot>
 void fit_piecewise_linear(Optimization_state<Foot>& state, const bool along_normal)
 {
   const Mesh_arrays& mesh = state.mesh;
-  const auto p = [&](Index c) -> const Point& { return state.vertex_samples.points[mesh.vertex(c)]; };
-  const auto m = [&](Index c) -> const Point& { return state.midpoint_samples.points[mesh.opposite_edge(c)]; };
-
   std::vector<double> areas(mesh.faces.size());
   for_each_index<ConcurrencyTag>(areas.size(), [&](std::size_t f) { areas[f] = norm(mesh.area_normal(f)) / 2; });
 
@@ -48,8 +45,11 @@ void fit_piecewise_linear(Optimization_state<Foot>& state, const bool along_norm
     Vector sum = NULL_VECTOR;
     state.for_each_corner(i, [&](Index c)
     {
-      sum = sum + areas[c / 3] * piecewise_linear_update(c, p, m);
-      sum_of_areas += areas[c / 3];
+      const Index f = c / 3;
+      const auto p = [&](Index k) -> const Point& { return state.vertex_samples.points[mesh.faces[f][k]]; };
+      const auto m = [&](Index k) -> const Point& { return state.midpoint_samples.points[mesh.face_edges[f][k]]; };
+      sum = sum + areas[f] * piecewise_linear_update(c % 3, p, m);
+      sum_of_areas += areas[f];
     });
     if(!(sum_of_areas > 0))
       return;

@@ -28,9 +28,9 @@ template <typename TriangleMesh, typename F>
 void for_each_corner_halfedge(const TriangleMesh& tmesh, const Mesh_descriptors<TriangleMesh>& descriptors, const F& f)
 {
   std::size_t corner = 0;
-  for(auto face : descriptors.faces)
-    for(auto h : halfedges_around_face(halfedge(face, tmesh), tmesh))
-      f(corner++, next(h, tmesh));
+  for(auto first : descriptors.halfedges)
+    for(auto h : halfedges_around_face(first, tmesh))
+      f(corner++, h);
 }
 
 // the normals at the corners of the faces, from a map of the vertices or of the corners

@@ -6,6 +6,7 @@
 #ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_SAMPLE_REFERENCE_H
 #define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_SAMPLE_REFERENCE_H
 
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/for_each_element.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Optimization_state.h>
 
 namespace CGAL {
@@ -14,52 +15,69 @@ namespace internal {
 namespace vertex_location {
 
 // Section 3.1: takes p_i and n_i from the reference at the foot of each vertex, m_ij at the foot of the midpoint of each
-// edge; in the first iteration.
+// edge, and samples at the feet of the barycenters of the faces; in the first iteration.
 template <typename ConcurrencyTag, typename ReferenceSurface>
 void start_samples(const ReferenceSurface& reference, Optimization_state<typename ReferenceSurface::Foot>& state)
 {
   const Mesh_arrays& mesh = state.mesh;
-  for_each_index<ConcurrencyTag>(mesh.points.size(), [&](std::size_t i)
-  {
-    state.vertex_samples.project(i, reference, mesh.points[i]);
-  });
-  for_each_index<ConcurrencyTag>(mesh.edges.size(), [&](std::size_t e)
-  {
-    state.midpoint_samples.project(e, reference, mesh.midpoint(e), state.vertex_samples.feet[mesh.edges[e][0]]);
-  });
+  for_each_element<ConcurrencyTag>(mesh,
+    [&](std::size_t i)
+    {
+      state.vertex_samples.project(i, reference, mesh.points[i]);
+    },
+    [&](std::size_t e)
+    {
+      state.midpoint_samples.project(e, reference, mesh.midpoint(e), state.vertex_samples.feet[mesh.edges[e][0]]);
+    },
+    [&](std::size_t f)
+    {
+      const Index edge_at_first_vertex = mesh.face_edges[f][1];
+      state.barycenter_samples.project(f, reference, mesh.barycenter(f), state.midpoint_samples.feet[edge_at_first_vertex]);
+    });
 }
 
-// The same from the samples of the iteration before, as exactly as `tolerance` says.
+// Calls f(samples, i, query, displacement) for each sample i with its query and how that moved in the last iteration.
+template <typename ConcurrencyTag, typename Foot, typename F>
+void for_each_sample(Optimization_state<Foot>& state, const F& f)
+{
+  const Mesh_arrays& mesh = state.mesh;
+  const auto displacement_of = [&](const auto& element)
+  {
+    Vector sum = NULL_VECTOR;
+    for(Index i : element)
+      sum = sum + state.last_displacement(i);
+    return sum / element.size();
+  };
+
+  for_each_element<ConcurrencyTag>(mesh,
+    [&](std::size_t i) { f(state.vertex_samples, i, mesh.points[i], state.last_displacement(i)); },
+    [&](std::size_t e) { f(state.midpoint_samples, e, mesh.midpoint(e), displacement_of(mesh.edges[e])); },
+    [&](std::size_t k)
+    {
+      if(!state.barycenter_samples.points.empty())
+        f(state.barycenter_samples, k, mesh.barycenter(k), displacement_of(mesh.faces[k]));
+    });
+}
+
+// Takes the samples from those of the iteration before, as exactly as `tolerance` says.
 template <typename ConcurrencyTag, typename ReferenceSurface>
 void update_samples(const ReferenceSurface& reference,
                     const Sampling_tolerance& tolerance,
                     Optimization_state<typename ReferenceSurface::Foot>& state)
 {
-  const Mesh_arrays& mesh = state.mesh;
-  for_each_index<ConcurrencyTag>(mesh.points.size(), [&](std::size_t i)
+  for_each_sample<ConcurrencyTag>(state, [&](auto& samples, std::size_t i, const Point& query, const Vector& displacement)
   {
-    state.vertex_samples.update(i, reference, tolerance, mesh.points[i], state.last_displacement(i));
-  });
-  for_each_index<ConcurrencyTag>(mesh.edges.size(), [&](std::size_t e)
-  {
-    const std::array<Index, 2>& v = mesh.edges[e];
-    state.midpoint_samples.update(e, reference, tolerance, mesh.midpoint(e),
-                                  (state.last_displacement(v[0]) + state.last_displacement(v[1])) / 2);
+    samples.update(i, reference, tolerance, query, displacement);
   });
 }
 
-// The same at the closest points.
+// Takes the samples at the closest points.
 template <typename ConcurrencyTag, typename ReferenceSurface>
 void sample_closest_points(const ReferenceSurface& reference, Optimization_state<typename ReferenceSurface::Foot>& state)
 {
-  const Mesh_arrays& mesh = state.mesh;
-  for_each_index<ConcurrencyTag>(mesh.points.size(), [&](std::size_t i)
+  for_each_sample<ConcurrencyTag>(state, [&](auto& samples, std::size_t i, const Point& query, const Vector&)
   {
-    state.vertex_samples.project(i, reference, mesh.points[i], state.vertex_samples.feet[i]);
-  });
-  for_each_index<ConcurrencyTag>(mesh.edges.size(), [&](std::size_t e)
-  {
-    state.midpoint_samples.project(e, reference, mesh.midpoint(e), state.midpoint_samples.feet[e]);
+    samples.project(i, reference, query, samples.feet[i]);
   });
 }
 

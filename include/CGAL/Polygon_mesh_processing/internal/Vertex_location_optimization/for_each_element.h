@@ -1,0 +1,55 @@
+// Copyright (c) 2026 The Vertex_location_optimization authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_FOR_EACH_ELEMENT_H
+#define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_FOR_EACH_ELEMENT_H
+
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/for_each_index.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Mesh_arrays.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace CGAL {
+namespace Polygon_mesh_processing {
+namespace internal {
+namespace vertex_location {
+
+// Calls on_vertex(i), on_edge(e) and on_face(f) for all vertices, edges and faces of `mesh`, see `for_each_index()`. Edges
+// and faces follow their first vertex: what they read of the reference, which is much larger, is in the cache still. The
+// calls for edges and faces may read what those for their first vertex and for the edges there have written.
+template <typename ConcurrencyTag, typename OnVertex, typename OnEdge, typename OnFace>
+void for_each_element(const Mesh_arrays& mesh, const OnVertex& on_vertex, const OnEdge& on_edge, const OnFace& on_face)
+{
+  constexpr std::size_t block_size = 64; // of vertices
+  const auto begin_of = [](const auto& elements, std::size_t first_vertex)
+  {
+    const auto begin = std::partition_point(elements.begin(), elements.end(),
+                                            [&](const auto& element) { return element[0] < first_vertex; });
+    return static_cast<std::size_t>(begin - elements.begin());
+  };
+
+  const std::size_t n = mesh.points.size();
+  for_each_index<ConcurrencyTag>((n + block_size - 1) / block_size, [&](std::size_t block)
+  {
+    const std::size_t begin = block * block_size, end = (std::min)(n, begin + block_size);
+    std::size_t e = begin_of(mesh.edges, begin), f = begin_of(mesh.faces, begin);
+    for(std::size_t i = begin; i < end; ++i)
+    {
+      on_vertex(i);
+      for(; e < mesh.edges.size() && mesh.edges[e][0] == i; ++e)
+        on_edge(e);
+      for(; f < mesh.faces.size() && mesh.faces[f][0] == i; ++f)
+        on_face(f);
+    }
+  });
+}
+
+} // namespace vertex_location
+} // namespace internal
+} // namespace Polygon_mesh_processing
+} // namespace CGAL
+
+#endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_FOR_EACH_ELEMENT_H

@@ -16,7 +16,7 @@ mkdir -p "$figures" "$work"
 
 configure
 cmake --build "$build_dir" -j "$jobs" --target optimize_remesh optimize_vertex_normals_example \
-  optimize_geometry_image_example quality
+  optimize_geometry_image_example quality performance
 
 # draw_errors MODEL "OPTIONS" [OPTION...]: the errors before and after; OPTIONS are those of optimize_remesh, the others
 # those of f3d
@@ -57,7 +57,10 @@ convert "$figures/geometry_image.png" -resize 1100x +dither -posterize 32 -strip
 
 # the errors of remeshes with more and more vertices: the whole benchmark, which takes a quarter of an hour
 (cd "$work" && "$build_dir/benchmark/Vertex_location_optimization/quality")
-cp "$work/error_by_vertices_armadillo.svg" "$figures"
+cp "$work/error_by_vertices_armadillo.svg" "$work/trade_off_armadillo.svg" "$figures"
+
+# the growth of the time, which takes some ten minutes
+"$build_dir/benchmark/Vertex_location_optimization/performance" --sections growth --svg "$figures/growth.svg"
 
 # the package's picture in the overview of CGAL, without titles and scale
 convert "$figures/errors_bunny00.png" +repage -gravity south -chop 0x80 -gravity north -chop 0x45 -resize 420x +dither -colors 64 -strip \

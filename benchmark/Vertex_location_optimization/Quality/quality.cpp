@@ -9,6 +9,7 @@
 //
 // The models are those of CGAL's data, and lucy.off and david.off of the paper, where a directory has them. Prints the
 // tables, with the figures of the paper beside; writes them to quality.csv, and the figure to error_by_vertices_MODEL.svg.
+// At last, what the parameter `regularity_weight` trades, and trade_off_MODEL.svg.
 //
 // Four numbers in a row are those of the remesh, of the two placement methods, and of a least squares fit as one sparse
 // linear system. Distances are in 1e-4 of the longest side of the bounding box.
@@ -19,6 +20,7 @@
 #include "plot.h"
 #include "remeshers.h"
 #include "tables.h"
+#include "trade_off.h"
 
 #include <cstdlib>
 #include <exception>
@@ -105,6 +107,7 @@ int main(int argc, char* argv[])
     make_table_1(directories, csv);
     make_table_2(directories, csv);
     print_table_of_normals(directories);
+    make_trade_off({ "armadillo", read_model(data_file("armadillo")), 0.03 }, std::cout);
     if(!csv)
       throw std::runtime_error("quality.csv cannot be written");
     return EXIT_SUCCESS;

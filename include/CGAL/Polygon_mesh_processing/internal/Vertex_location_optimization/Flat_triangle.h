@@ -47,7 +47,9 @@ inline Coordinates project_to_plane(const std::array<Point, 3>& t, const Point& 
 {
   const Vector a = t[1] - t[0], b = t[2] - t[0], d = x - t[0];
   const Vector n = cross_product(a, b);
-  const double n2 = n.squared_length(); // 0 / 0 is not a number
+  const double n2 = n.squared_length();
+  if(!(n2 > 0))
+    return { std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN() };
   return { (cross_product(d, b) * n) / n2, (cross_product(a, d) * n) / n2 };
 }
 

@@ -31,35 +31,7 @@ struct Patch_foot
   Coordinates coordinates;
 };
 
-// A box in single precision around one in double precision.
-class Outer_box
-{
-public:
-  Outer_box() = default;
-  explicit Outer_box(const Bbox_3& box)
-    : m_min{ { below(box.xmin()), below(box.ymin()), below(box.zmin()) } },
-      m_max{ { above(box.xmax()), above(box.ymax()), above(box.zmax()) } }
-  {}
-
-  double xmin() const { return m_min[0]; }
-  double ymin() const { return m_min[1]; }
-  double zmin() const { return m_min[2]; }
-  double xmax() const { return m_max[0]; }
-  double ymax() const { return m_max[1]; }
-  double zmax() const { return m_max[2]; }
-
-  Bbox_3 bbox() const { return { xmin(), ymin(), zmin(), xmax(), ymax(), zmax() }; }
-  Point center() const { return midpoint(Point(xmin(), ymin(), zmin()), Point(xmax(), ymax(), zmax())); }
-
-private:
-  static constexpr float infinity = std::numeric_limits<float>::infinity();
-  static float below(double x) { return std::nextafter(static_cast<float>(x), -infinity); }
-  static float above(double x) { return std::nextafter(static_cast<float>(x), infinity); }
-
-  std::array<float, 3> m_min, m_max;
-};
-
-// `Box` is a `Bbox_3` or an `Outer_box`.
+// `Box` is a `Bbox_3` or an `Iso_cuboid_3`.
 template <typename Box>
 double squared_distance_to_box(const Point& p, const Box& box)
 {
@@ -79,20 +51,25 @@ class Patch_tree
   public:
     using Id = Index;
     using Point = vertex_location::Point;
-    using Datum = Outer_box;
-    using Datum_reference = const Outer_box&;
+    using Datum = Kernel::Iso_cuboid_3;
+    using Datum_reference = const Datum&;
 
     Primitive() = default;
     template <typename Iterator>
     Primitive(Iterator it, const Patch* patches) : m_id(static_cast<Id>(*it)), m_box(patches[m_id].bbox()) {}
 
     Id id() const { return m_id; }
-    const Outer_box& datum() const { return m_box; }
-    Point reference_point() const { return m_box.center(); }
+    const Datum& datum() const { return m_box; }
+
+    Point reference_point() const
+    {
+      const Point center = midpoint((m_box.min)(), (m_box.max)());
+      return is_finite(center) ? center : Point(ORIGIN); // where coordinates overflow
+    }
 
   private:
     Id m_id = no_index;
-    Outer_box m_box;
+    Datum m_box;
   };
 
   using Tree = AABB_tree<AABB_traits_for<Kernel, Primitive>>;

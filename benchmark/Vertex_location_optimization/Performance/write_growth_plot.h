@@ -128,7 +128,7 @@ inline void write_growth_plot(std::ofstream& svg,
 {
   const Growth_diagram left(svg, 0, of_remesh, [](double n) { return n; });
   const Growth_diagram right(svg, left.right(), of_reference, [](double n) { return std::log(n); });
-  svg << "<svg xmlns='http://www.w3.org/2000/svg' width='" << right.right() << "' height='"
+  svg << "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 " << right.right() << " "
       << (std::max)(left.bottom(), right.bottom()) << "' font-family='sans-serif' font-size='12'>\n"
       << "<rect width='100%' height='100%' fill='white'/>\n";
   left.write_axes("vertices (dashed: linear)");

@@ -202,7 +202,7 @@ private:
   bool minimize_distance(const Point& query, Coordinates x, Coordinates& foot, double& squared_distance_bound) const
   {
     constexpr int max_iterations = 20;
-    constexpr double precision = 1e-5; // convergence is quadratic: this step leaves an error of some 1e-10
+    constexpr double precision = 1e-6; // convergence is quadratic: this step leaves an error of some 1e-12
     Derivatives s = evaluate(x);
     double distance = squared_distance(query, s.point);
     for(int iteration = 0; iteration < max_iterations; ++iteration)

@@ -14,6 +14,7 @@
 
 #include <fstream>
 #include <ostream>
+#include <string>
 #include <utility>
 #include <vector>
 

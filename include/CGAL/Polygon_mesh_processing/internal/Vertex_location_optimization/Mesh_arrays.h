@@ -59,10 +59,13 @@ struct Mesh_arrays
     return vertex_location::area_normal(t[0], t[1], t[2]);
   }
 
+  double area(std::size_t f) const { return norm(area_normal(f)) / 2; }
+
   Index vertex(Index corner) const { return faces[corner / 3][corner % 3]; }
   static Index next(Index corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
   static Index previous(Index corner) { return corner % 3 == 0 ? corner + 2 : corner - 1; }
   Index opposite_edge(Index corner) const { return face_edges[corner / 3][corner % 3]; }
+  Index edge_at_first_vertex(std::size_t f) const { return face_edges[f][1]; }
   bool is_border(std::size_t e) const { return edge_corners[e][0] == no_index || edge_corners[e][1] == no_index; }
 
   // the corner opposite to the same edge on its other side; no_index at a border

@@ -44,7 +44,7 @@ struct Optimization_state
 
     double area = 0, length = 0;
     for(std::size_t f = 0; f < mesh.faces.size(); ++f)
-      area += norm(mesh.area_normal(f)) / 2;
+      area += mesh.area(f);
     for(const std::array<Index, 2>& e : mesh.edges)
       length += norm(mesh.points[e[1]] - mesh.points[e[0]]);
     spring_length = 0.3 * std::sqrt(area / mesh.points.size());

@@ -66,8 +66,8 @@ public:
     n011 = edge_normal(c[1], c[2]);
     n101 = edge_normal(c[2], c[0]);
 
-    // No point of the patch is farther from the point of the flat triangle with the same coordinates than the control
-    // point that is farthest from its place there.
+    // By the convex hull property no point of the patch is farther from the point of the flat triangle with the same
+    // coordinates than the control point that is farthest from its place there.
     double deviation2 = 0;
     auto add_control_point = [&](const Point& b, double i, double j, double k)
     {

@@ -13,8 +13,6 @@
 #include <boost/range/irange.hpp>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <limits>
 #include <utility>
 #include <vector>

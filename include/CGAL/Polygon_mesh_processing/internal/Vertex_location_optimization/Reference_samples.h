@@ -66,24 +66,10 @@ public:
     m_paths[i] = 0;
   }
 
-  // Takes sample i where walking from `hint` leads. The tree is asked only if that point may be farther away than the
-  // closest one by more than `tolerance`: beyond a lower bound of the distance, see `update()`, and the tolerance.
-  template <typename ReferenceSurface>
-  void project_near(std::size_t i,
-                    const ReferenceSurface& reference,
-                    const double tolerance,
-                    const Point& query,
-                    const Foot& hint)
-  {
-    set(i, reference, vertex_location::project_near(reference, query, hint));
-    m_paths[i] = 0;
-    if(!(norm(points[i] - query) <= m_distance_bounds[i] + tolerance))
-      project(i, reference, query, feet[i]);
-  }
-
-  // Moves sample i to the foot of `query`, which has moved by `displacement`. The distance of a query to the reference
-  // changes by no more than the query moves: what it was when the tree was asked last, less the displacements since, is a
-  // lower bound.
+  // Moves sample i to the foot of `query`, which has moved by `displacement`: to where walking from the last foot leads. The
+  // tree is asked only if that point may be farther away than the closest one by more than the tolerance. The distance of a
+  // query to the reference changes by no more than the query moves: what it was when the tree was asked last, less the
+  // displacements since, is a lower bound.
   template <typename ReferenceSurface>
   void update(std::size_t i,
               const ReferenceSurface& reference,
@@ -101,7 +87,10 @@ public:
       return;
     }
 
-    project_near(i, reference, tolerance.distance, query, feet[i]);
+    set(i, reference, project_near(reference, query, feet[i]));
+    m_paths[i] = 0;
+    if(!(norm(points[i] - query) <= m_distance_bounds[i] + tolerance.distance))
+      project(i, reference, query, feet[i]);
   }
 
   std::vector<Point> points;

@@ -150,7 +150,7 @@ public:
     const double distance_in_remesh = climb_to_maximum(f, m_state.initial_points).first;
     return distance > distance_in_remesh ||
            (distance > margin * distance_in_remesh &&
-            point_at(triangle(f, m_state.targets), x) != point_at(triangle(f, m_state.initial_points), x));
+            point_at(triangle(f), x) != point_at(m_state.mesh.triangle(f, m_state.initial_points), x));
   }
 
   // of face f to the normals of the reference at the foot of the barycenter
@@ -177,11 +177,7 @@ private:
     m_opposition.resize(m_state.mesh.faces.size());
   }
 
-  std::array<Point, 3> triangle(std::size_t f) const { return triangle(f, m_state.targets); }
-  std::array<Point, 3> triangle(std::size_t f, const std::vector<Point>& points) const
-  {
-    return m_state.mesh.triangle(f, points);
-  }
+  std::array<Point, 3> triangle(std::size_t f) const { return m_state.mesh.triangle(f, m_state.targets); }
 
   double sampled_maximum(std::size_t f) const
   {
@@ -194,7 +190,7 @@ private:
   // the largest distance on a lattice on face f with its vertices at `points`, and where it is
   std::pair<double, Coordinates> lattice_maximum(std::size_t f, const std::vector<Point>& points, int level = 8) const
   {
-    const std::array<Point, 3> t = triangle(f, points);
+    const std::array<Point, 3> t = m_state.mesh.triangle(f, points);
     std::pair<double, Coordinates> best{ -1, Coordinates() };
     for(int i = 0; i <= level; ++i)
       for(int j = 0; j <= level - i; ++j)
@@ -211,7 +207,7 @@ private:
   std::pair<double, Coordinates> climb_to_maximum(std::size_t f, const std::vector<Point>& points) const
   {
     constexpr int number_of_halvings = 5;
-    const std::array<Point, 3> t = triangle(f, points);
+    const std::array<Point, 3> t = m_state.mesh.triangle(f, points);
     auto [result, best] = lattice_maximum(f, points);
     double step = 1 / 16.; // half a step of the lattice
     for(int i = 0; i < number_of_halvings; ++i, step /= 2)
@@ -264,17 +260,11 @@ private:
   void sample_barycenter(std::size_t f)
   {
     constexpr double near = 0.1; // relative to the mean edge length; other sheets are thought to be farther away
-    const Foot foot = project_near(m_reference, barycenter(f), hint_for_barycenter(f));
+    const Point p = point_at(triangle(f), Coordinates());
+    const Foot foot = project_near(m_reference, p, m_state.midpoint_samples.feet[m_state.mesh.edge_at_first_vertex(f)]);
     set_barycenter(f, foot);
     if(m_opposition[f] != Opposition::NONE || m_at_barycenter[f] > near * m_state.mean_edge_length)
-      set_barycenter(f, m_reference.project(convert<Reference_point>(barycenter(f)), foot));
-  }
-
-  Point barycenter(std::size_t f) const { return point_at(triangle(f), Coordinates()); }
-
-  const Foot& hint_for_barycenter(std::size_t f) const
-  {
-    return m_state.midpoint_samples.feet[m_state.mesh.face_edges[f][1]];
+      set_barycenter(f, m_reference.project(convert<Reference_point>(p), foot));
   }
 
   void set_barycenter(std::size_t f, const Foot& foot)

@@ -81,11 +81,10 @@ private:
 template <typename Foot>
 std::array<Normal_equations, 3> face_equations(const Optimization_state<Foot>& state,
                                                const Samples_of_reference& of_reference,
-                                               const std::size_t f)
+                                               const std::size_t f,
+                                               const double area)
 {
   const std::array<Point, 3> t = state.mesh.triangle(f);
-  const double area = norm(area_normal(t[0], t[1], t[2])) / 2;
-
   std::array<Normal_equations, 3> equations;
   for(int k = 0; k < 3; ++k)
   {
@@ -142,10 +141,12 @@ void fit_least_squares(Optimization_state<Foot>& state,
   constexpr double relaxation = 0.7, momentum = 0.5, max_step = 0.25; // max_step relative to the mean edge length
 
   const Mesh_arrays& mesh = state.mesh;
+  std::vector<double> areas(mesh.faces.size());
   std::vector<std::array<Normal_equations, 3>> of_faces(mesh.faces.size());
   for_each_index<ConcurrencyTag>(of_faces.size(), [&](std::size_t f)
   {
-    of_faces[f] = face_equations(state, of_reference, f);
+    areas[f] = mesh.area(f);
+    of_faces[f] = face_equations(state, of_reference, f, areas[f]);
   });
 
   for_each_index<ConcurrencyTag>(mesh.points.size(), [&](std::size_t i)
@@ -165,7 +166,7 @@ void fit_least_squares(Optimization_state<Foot>& state,
       equations += of_faces[c / 3][c % 3];
       pull = pull + pull_to_equilateral(v, mesh.points[mesh.vertex(Mesh_arrays::next(c))],
                                         mesh.points[mesh.vertex(Mesh_arrays::previous(c))]);
-      area += norm(mesh.area_normal(c / 3)) / 2;
+      area += areas[c / 3];
       ++number_of_faces;
     });
     const Vector& n = state.vertex_samples.normals[i];

@@ -33,7 +33,7 @@ void fit_piecewise_linear(Optimization_state<Foot>& state, const bool along_norm
 {
   const Mesh_arrays& mesh = state.mesh;
   std::vector<double> areas(mesh.faces.size());
-  for_each_index<ConcurrencyTag>(areas.size(), [&](std::size_t f) { areas[f] = norm(mesh.area_normal(f)) / 2; });
+  for_each_index<ConcurrencyTag>(areas.size(), [&](std::size_t f) { areas[f] = mesh.area(f); });
 
   for_each_index<ConcurrencyTag>(mesh.points.size(), [&](std::size_t i)
   {

@@ -90,7 +90,7 @@ std::vector<Face_error> measure_faces(const Mesh_arrays& mesh,
     for(Index i : mesh.faces[f])
       max = (std::max)(max, distance_to_foot(mesh.points[i], reference, vertex_feet[i]));
 
-    faces[f] = { norm(mesh.area_normal(f)) / 2, mean_of(sum, count), mean_of(sum_of_squares, count), max };
+    faces[f] = { mesh.area(f), mean_of(sum, count), mean_of(sum_of_squares, count), max };
   });
   return faces;
 }

@@ -31,8 +31,8 @@ void start_samples(const ReferenceSurface& reference, Optimization_state<typenam
     },
     [&](std::size_t f)
     {
-      const Index edge_at_first_vertex = mesh.face_edges[f][1];
-      state.barycenter_samples.project(f, reference, mesh.barycenter(f), state.midpoint_samples.feet[edge_at_first_vertex]);
+      state.barycenter_samples.project(f, reference, mesh.barycenter(f),
+                                       state.midpoint_samples.feet[mesh.edge_at_first_vertex(f)]);
     });
 }
 

@@ -117,21 +117,28 @@ Mesh_arrays make_mesh_arrays(const TriangleMesh& tmesh,
 {
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
 
+  using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
+  using edge_descriptor = typename boost::graph_traits<TriangleMesh>::edge_descriptor;
+
   Mesh_arrays mesh;
 
   // vertices along a space-filling curve
-  std::vector<std::pair<Point, vertex_descriptor>> vertex_order;
-  for(vertex_descriptor v : vertices(tmesh))
-    vertex_order.emplace_back(convert<Point>(get(vpm, v)), v);
-  using First = First_of_pair_property_map<std::pair<Point, vertex_descriptor>>;
-  hilbert_sort(vertex_order.begin(), vertex_order.end(), Spatial_sort_traits_adapter_3<Kernel, First>());
-
   auto vertex_index = get(dynamic_vertex_property_t<Index>(), tmesh);
-  for(const auto& [point, v] : vertex_order)
   {
-    put(vertex_index, v, static_cast<Index>(mesh.points.size()));
-    mesh.points.push_back(point);
-    descriptors.vertices.push_back(v);
+    std::vector<std::pair<Point, vertex_descriptor>> order;
+    for(vertex_descriptor v : vertices(tmesh))
+      order.emplace_back(convert<Point>(get(vpm, v)), v);
+    using First = First_of_pair_property_map<std::pair<Point, vertex_descriptor>>;
+    hilbert_sort(order.begin(), order.end(), Spatial_sort_traits_adapter_3<Kernel, First>());
+
+    mesh.points.reserve(order.size());
+    descriptors.vertices.reserve(order.size());
+    for(const auto& [point, v] : order)
+    {
+      put(vertex_index, v, static_cast<Index>(mesh.points.size()));
+      mesh.points.push_back(point);
+      descriptors.vertices.push_back(v);
+    }
   }
 
   auto sort_by_first_vertex = [](auto& keyed)
@@ -139,23 +146,25 @@ Mesh_arrays make_mesh_arrays(const TriangleMesh& tmesh,
     std::stable_sort(keyed.begin(), keyed.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   };
 
-  std::vector<std::pair<Index, typename boost::graph_traits<TriangleMesh>::edge_descriptor>> edge_order;
-  for(auto e : edges(tmesh))
-    edge_order.emplace_back((std::min)(get(vertex_index, source(e, tmesh)), get(vertex_index, target(e, tmesh))), e);
-  sort_by_first_vertex(edge_order);
-
   auto edge_index = get(dynamic_edge_property_t<Index>(), tmesh);
-  for(const auto& key_and_edge : edge_order)
   {
-    const auto e = key_and_edge.second;
-    put(edge_index, e, static_cast<Index>(mesh.edges.size()));
-    const auto ends = std::minmax({ get(vertex_index, source(e, tmesh)), get(vertex_index, target(e, tmesh)) });
-    mesh.edges.push_back({ ends.first, ends.second });
-    mesh.edge_corners.push_back({ no_index, no_index });
-    descriptors.edges.push_back(e);
+    std::vector<std::pair<Index, edge_descriptor>> order;
+    for(edge_descriptor e : edges(tmesh))
+      order.emplace_back((std::min)(get(vertex_index, source(e, tmesh)), get(vertex_index, target(e, tmesh))), e);
+    sort_by_first_vertex(order);
+
+    mesh.edges.reserve(order.size());
+    descriptors.edges.reserve(order.size());
+    for(const auto& key_and_edge : order)
+    {
+      const edge_descriptor e = key_and_edge.second;
+      put(edge_index, e, static_cast<Index>(mesh.edges.size()));
+      const auto ends = std::minmax({ get(vertex_index, source(e, tmesh)), get(vertex_index, target(e, tmesh)) });
+      mesh.edges.push_back({ ends.first, ends.second });
+      descriptors.edges.push_back(e);
+    }
   }
 
-  using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
   std::vector<std::pair<Index, halfedge_descriptor>> face_order; // a face by the halfedge to its first vertex
   for(auto f : faces(tmesh))
   {
@@ -168,6 +177,10 @@ Mesh_arrays make_mesh_arrays(const TriangleMesh& tmesh,
   }
   sort_by_first_vertex(face_order);
 
+  mesh.faces.reserve(face_order.size());
+  mesh.face_edges.reserve(face_order.size());
+  mesh.edge_corners.resize(mesh.edges.size(), { no_index, no_index });
+  descriptors.halfedges.reserve(face_order.size());
   for(const auto& key_and_halfedge : face_order)
   {
     const Index f = static_cast<Index>(mesh.faces.size());

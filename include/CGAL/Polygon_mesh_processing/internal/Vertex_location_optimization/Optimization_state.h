@@ -10,6 +10,7 @@
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Mesh_arrays.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference_samples.h>
 
+#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -36,10 +37,12 @@ struct Constraints
 template <typename Foot>
 struct Optimization_state
 {
-  Optimization_state(Mesh_arrays mesh_arrays, Constraints c)
+  Optimization_state(Mesh_arrays mesh_arrays, Constraints c, const bool has_barycenter_samples)
     : mesh(std::move(mesh_arrays)), constraints(std::move(c)), initial_points(mesh.points), targets(mesh.points),
-      vertex_samples(mesh.points.size()), midpoint_samples(mesh.edges.size()), barycenter_samples(mesh.faces.size())
+      vertex_samples(mesh.points.size()), midpoint_samples(mesh.edges.size()),
+      barycenter_samples(has_barycenter_samples ? mesh.faces.size() : 0)
   {
+    std::vector<std::array<Index, 2>>().swap(mesh.edge_corners); // what they are needed for is in the constraints
     group_corners_by_vertex();
 
     double area = 0, length = 0;
@@ -77,7 +80,7 @@ struct Optimization_state
 
   Reference_samples<Foot> vertex_samples;     // p_i and n_i
   Reference_samples<Foot> midpoint_samples;   // m_ij
-  Reference_samples<Foot> barycenter_samples; // none if the fit takes none
+  Reference_samples<Foot> barycenter_samples; // empty if the fit takes none
 
   double spring_length = 0;                 // sigma of (3)
   double mean_edge_length = 0;              // of M_0

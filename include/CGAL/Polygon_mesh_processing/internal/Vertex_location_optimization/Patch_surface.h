@@ -60,10 +60,13 @@ public:
 
   // The feet that are the same point: where it is on an edge or a vertex they have the normals of the faces around it.
   // Not part of the concept.
-  std::vector<Foot> coinciding_feet(const Foot& foot) const { return m_patches.coinciding_feet(foot); }
+  Coinciding_feet coinciding_feet(const Foot& foot) const { return m_patches.coinciding_feet(foot); }
 
-  // samples of the surface with their areas, see `Reference_patches::area_samples()`; not part of the concept
-  std::vector<std::pair<Foot, double>> area_samples(std::size_t n) const { return m_patches.area_samples(n); }
+  double area() const { return m_patches.area(); } // not part of the concept
+
+  // calls f(foot) for samples of the surface, see `Reference_patches::for_each_area_sample()`; not part of the concept
+  template <typename F>
+  void for_each_area_sample(double area, const F& f) const { m_patches.for_each_area_sample(area, f); }
 
   // the creases and borders; not part of the concept
   const Feature_curves& feature_curves() const { return m_patches.curves; }

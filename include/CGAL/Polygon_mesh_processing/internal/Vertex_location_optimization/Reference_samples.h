@@ -52,7 +52,6 @@ template <typename Foot>
 class Reference_samples
 {
 public:
-  Reference_samples() = default;
   explicit Reference_samples(std::size_t n)
     : points(n), normals(n, NULL_VECTOR), feet(n), m_distance_bounds(n, 0), m_paths(n, 0)
   {}
@@ -61,7 +60,14 @@ public:
   template <typename ReferenceSurface, typename... Hint>
   void project(std::size_t i, const ReferenceSurface& reference, const Point& query, const Hint&... hint)
   {
-    set(i, reference, reference.project(convert<typename ReferenceSurface::Point_3>(query), hint...));
+    set_closest(i, reference, query, reference.project(convert<typename ReferenceSurface::Point_3>(query), hint...));
+  }
+
+  // takes sample i at `foot`, the closest point to `query`
+  template <typename ReferenceSurface>
+  void set_closest(std::size_t i, const ReferenceSurface& reference, const Point& query, const Foot& foot)
+  {
+    set(i, reference, foot);
     m_distance_bounds[i] = norm(points[i] - query);
     m_paths[i] = 0;
   }

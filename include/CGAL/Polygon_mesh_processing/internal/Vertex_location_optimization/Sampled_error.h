@@ -10,6 +10,8 @@
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/for_each_element.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Optimization_state.h>
 
+#include <boost/range/irange.hpp>
+
 #include <algorithm>
 #include <array>
 #include <type_traits>
@@ -47,18 +49,32 @@ class Sampled_error
   using State = Optimization_state<Foot>;
 
 public:
-  Sampled_error(const ReferenceSurface& reference, const State& state) : m_reference(reference), m_state(state) {}
+  Sampled_error(const ReferenceSurface& reference, const State& state) : m_reference(reference), m_state(state)
+  {
+    allocate();
+  }
 
-  // samples the remesh, when the state has its samples already, and the targets are its points
+  // Takes the distance at the barycenter of face f, of which this is the foot.
+  void set_barycenter(std::size_t f, const Foot& foot)
+  {
+    const std::array<Point, 3> t = triangle(f);
+    m_at_barycenter[f] = distance_to_foot(point_at(t, Coordinates()), foot);
+    m_opposition[f] = opposition_at(foot, area_normal(t[0], t[1], t[2]));
+  }
+
+  // Takes the distances at the vertices and midpoints from the state, which has sampled the targets.
   template <typename ConcurrencyTag>
-  void sample_remesh()
+  void take_samples_of_state()
   {
     const Mesh_arrays& mesh = m_state.mesh;
-    allocate();
-    for_each_element<ConcurrencyTag>(mesh,
-      [&](std::size_t i) { m_at_vertex[i] = norm(mesh.points[i] - m_state.vertex_samples.points[i]); },
-      [&](std::size_t e) { m_at_midpoint[e] = norm(mesh.midpoint(e) - m_state.midpoint_samples.points[e]); },
-      [&](std::size_t f) { set_barycenter(f, m_state.barycenter_samples.feet[f]); });
+    for_each_index<ConcurrencyTag>(m_at_vertex.size(), [&](std::size_t i)
+    {
+      m_at_vertex[i] = norm(mesh.points[i] - m_state.vertex_samples.points[i]);
+    });
+    for_each_index<ConcurrencyTag>(m_at_midpoint.size(), [&](std::size_t e)
+    {
+      m_at_midpoint[e] = norm(mesh.midpoint(e) - m_state.midpoint_samples.points[e]);
+    });
   }
 
   // Samples the targets. Each distance is that to the point where walking from the feet of the last iteration leads, rather
@@ -124,18 +140,16 @@ public:
   {
     constexpr double near = 0.9;
     constexpr int max_faces = 64;
-    std::vector<std::pair<double, std::size_t>> faces; // as a heap, which gives them in decreasing order
-    for(std::size_t f = 0; f < m_state.mesh.faces.size(); ++f)
-      faces.emplace_back(sampled_maximum(f), f);
-    std::make_heap(faces.begin(), faces.end());
-
-    double result = 0;
-    for(int i = 0; i < max_faces && !faces.empty() && faces.front().first > near * result; ++i)
+    const auto all = boost::irange<std::size_t>(0, m_state.mesh.faces.size());
+    std::array<std::size_t, max_faces> faces;
+    const auto end = std::partial_sort_copy(all.begin(), all.end(), faces.begin(), faces.end(),
+                                            [&](std::size_t f, std::size_t g)
     {
-      result = (std::max)(result, lattice_maximum(faces.front().second, m_state.targets).first);
-      std::pop_heap(faces.begin(), faces.end());
-      faces.pop_back();
-    }
+      return sampled_maximum(f) > sampled_maximum(g);
+    });
+    double result = 0;
+    for(auto f = faces.begin(); f != end && sampled_maximum(*f) > near * result; ++f)
+      result = (std::max)(result, lattice_maximum(*f, m_state.targets).first);
     return result;
   }
 
@@ -267,19 +281,12 @@ private:
       set_barycenter(f, m_reference.project(convert<Reference_point>(p), foot));
   }
 
-  void set_barycenter(std::size_t f, const Foot& foot)
-  {
-    const std::array<Point, 3> t = triangle(f);
-    m_at_barycenter[f] = distance_to_foot(point_at(t, Coordinates()), foot);
-    m_opposition[f] = opposition_at(foot, area_normal(t[0], t[1], t[2]));
-  }
-
   Opposition opposition_at(const Foot& foot, const Vector& normal) const
   {
     const auto is_opposed = [&](const Foot& other) { return normal * convert<Vector>(m_reference.normal(other)) < 0; };
     if constexpr(Has_coinciding_feet<ReferenceSurface>::value)
     {
-      const std::vector<Foot> feet = m_reference.coinciding_feet(foot);
+      const auto feet = m_reference.coinciding_feet(foot);
       const auto opposed = static_cast<std::size_t>(std::count_if(feet.begin(), feet.end(), is_opposed));
       return opposed == 0 ? Opposition::NONE : opposed < feet.size() ? Opposition::SOME : Opposition::ALL;
     }

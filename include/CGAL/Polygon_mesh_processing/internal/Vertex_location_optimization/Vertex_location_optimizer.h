@@ -11,7 +11,7 @@
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/fit_least_squares.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/fit_piecewise_linear.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/relax_springs.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/sample_both_surfaces.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Samples_of_reference.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/sample_reference.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/take_back_harm.h>
 #include <CGAL/Polygon_mesh_processing/Placement_method.h>
@@ -121,15 +121,16 @@ private:
   {
     if(is_first())
     {
-      start_samples<ConcurrencyTag>(m_reference, m_state);
+      start_samples<ConcurrencyTag>(m_reference, m_state, [&](std::size_t f, const auto& foot)
+      {
+        m_harm_criterion.set_barycenter_of_remesh(f, foot);
+      });
       m_harm_criterion.template measure_remesh<ConcurrencyTag>();
       if(is_least_squares())
       {
         choose_reference_samples(m_reference, m_state.mesh.faces.size(), m_of_reference);
         find_closest_faces<ConcurrencyTag>(m_state, m_of_reference);
       }
-      else
-        m_state.barycenter_samples = {};
     }
     else if(is_last())
     {

@@ -6,7 +6,7 @@
 #ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_FIT_LEAST_SQUARES_H
 #define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_FIT_LEAST_SQUARES_H
 
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/sample_both_surfaces.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Samples_of_reference.h>
 
 #include <CGAL/Default_diagonalize_traits.h>
 
@@ -111,7 +111,7 @@ std::array<Normal_equations, 3> face_equations(const Optimization_state<Foot>& s
     const Vector direction = is_inside ? Vector(NULL_VECTOR) : normalized(d);
     const Vector& n_y = direction != NULL_VECTOR ? direction : sample.normal;
     for(int k = 0; k < 3; ++k)
-      equations[k].add_row(sample.area, lambda[k], n_y, n_y * d);
+      equations[k].add_row(of_reference.area, lambda[k], n_y, n_y * d);
   }
   return equations;
 }

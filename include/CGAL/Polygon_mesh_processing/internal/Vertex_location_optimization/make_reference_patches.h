@@ -14,6 +14,8 @@
 
 #include <CGAL/assertions.h>
 
+#include <boost/container/small_vector.hpp>
+
 #include <array>
 #include <cmath>
 #include <limits>
@@ -96,6 +98,8 @@ void make_patches(const Mesh_arrays& mesh,
   });
 }
 
+using Coinciding_feet = boost::container::small_vector<Patch_foot, 8>;
+
 // A reference surface: a patch a face, and the curves of its creases and borders.
 template <typename Patch>
 struct Reference_patches
@@ -119,9 +123,9 @@ struct Reference_patches
   }
 
   // The feet that are the same point: several where it is on a side or in a corner of its patch.
-  std::vector<Patch_foot> coinciding_feet(const Patch_foot& foot) const
+  Coinciding_feet coinciding_feet(const Patch_foot& foot) const
   {
-    std::vector<Patch_foot> feet{ foot };
+    Coinciding_feet feet{ foot };
     for(std::size_t i = 0; i < feet.size(); ++i)
       for(Index k = 0; k < 3; ++k)
       {
@@ -133,34 +137,35 @@ struct Reference_patches
     return feet;
   }
 
-  // About `n` points spread evenly over the surface, and the area for which each of them stands. The patches are in
-  // an order in which neighbors follow each other: points at equal steps of the area are spread over the surface; those
-  // in one patch follow a sequence of low discrepancy.
-  std::vector<std::pair<Patch_foot, double>> area_samples(const std::size_t n) const
+  double area() const
   {
-    double total = 0;
+    double sum = 0;
     for(Index i = 0; i < neighbors.size(); ++i)
-      total += tree.patch(i).area();
-    const double step = total / n;
-    std::vector<std::pair<Patch_foot, double>> samples;
-    if(!(step > 0))
-      return samples;
+      sum += tree.patch(i).area();
+    return sum;
+  }
 
+  // Calls f(foot) for points spread evenly over the surface, each of which stands for `area`. The patches are in an order in
+  // which neighbors follow each other: points at equal steps of the area are spread over the surface; those in one patch
+  // follow a sequence of low discrepancy.
+  template <typename F>
+  void for_each_area_sample(const double area, const F& f) const
+  {
     double passed = 0;
+    std::size_t number = 0; // of the samples so far
     for(Index i = 0; i < neighbors.size(); ++i)
-      for(passed += tree.patch(i).area(); (samples.size() + 0.5) * step < passed && samples.size() < n; )
+      for(passed += tree.patch(i).area(); (number + 0.5) * area < passed; ++number)
       {
         double integer_part;
-        double u = std::modf(0.5 + 0.7548776662466927 * samples.size(), &integer_part);
-        double v = std::modf(0.5 + 0.5698402909980532 * samples.size(), &integer_part);
+        double u = std::modf(0.5 + 0.7548776662466927 * number, &integer_part);
+        double v = std::modf(0.5 + 0.5698402909980532 * number, &integer_part);
         if(u + v > 1)
         {
           u = 1 - u;
           v = 1 - v;
         }
-        samples.push_back({ { i, { u, v } }, step });
+        f(Patch_foot{ i, { u, v } });
       }
-    return samples;
   }
 
   Patch_tree<Patch> tree;

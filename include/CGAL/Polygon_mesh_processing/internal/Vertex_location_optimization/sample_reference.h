@@ -15,9 +15,12 @@ namespace internal {
 namespace vertex_location {
 
 // Section 3.1: takes p_i and n_i from the reference at the foot of each vertex, m_ij at the foot of the midpoint of each
-// edge, and samples at the feet of the barycenters of the faces; in the first iteration.
-template <typename ConcurrencyTag, typename ReferenceSurface>
-void start_samples(const ReferenceSurface& reference, Optimization_state<typename ReferenceSurface::Foot>& state)
+// edge; in the first iteration. Calls on_barycenter(f, foot) with the foot of the barycenter of each face f, at which samples
+// are taken, too, if the state has them.
+template <typename ConcurrencyTag, typename ReferenceSurface, typename OnBarycenter>
+void start_samples(const ReferenceSurface& reference,
+                   Optimization_state<typename ReferenceSurface::Foot>& state,
+                   const OnBarycenter& on_barycenter)
 {
   const Mesh_arrays& mesh = state.mesh;
   for_each_element<ConcurrencyTag>(mesh,
@@ -31,8 +34,12 @@ void start_samples(const ReferenceSurface& reference, Optimization_state<typenam
     },
     [&](std::size_t f)
     {
-      state.barycenter_samples.project(f, reference, mesh.barycenter(f),
-                                       state.midpoint_samples.feet[mesh.edge_at_first_vertex(f)]);
+      const Point query = mesh.barycenter(f);
+      const auto foot = reference.project(convert<typename ReferenceSurface::Point_3>(query),
+                                          state.midpoint_samples.feet[mesh.edge_at_first_vertex(f)]);
+      if(!state.barycenter_samples.feet.empty())
+        state.barycenter_samples.set_closest(f, reference, query, foot);
+      on_barycenter(f, foot);
     });
 }
 
@@ -54,7 +61,7 @@ void for_each_sample(Optimization_state<Foot>& state, const F& f)
     [&](std::size_t e) { f(state.midpoint_samples, e, mesh.midpoint(e), displacement_of(mesh.edges[e])); },
     [&](std::size_t k)
     {
-      if(!state.barycenter_samples.points.empty())
+      if(!state.barycenter_samples.feet.empty())
         f(state.barycenter_samples, k, mesh.barycenter(k), displacement_of(mesh.faces[k]));
     });
 }

@@ -25,19 +25,23 @@ namespace vertex_location {
 template <typename ReferenceSurface>
 class Harm_criterion
 {
-  using State = Optimization_state<typename ReferenceSurface::Foot>;
+  using Foot = typename ReferenceSurface::Foot;
+  using State = Optimization_state<Foot>;
 
 public:
   Harm_criterion(const ReferenceSurface& reference, const State& state)
     : m_state(state), m_flips(state), m_error(reference, state)
   {}
 
+  // takes the foot of the barycenter of face f of the remesh
+  void set_barycenter_of_remesh(std::size_t f, const Foot& foot) { m_error.set_barycenter(f, foot); }
+
   // takes the remesh, in the first iteration when it has been sampled, to compare with
   template <typename ConcurrencyTag>
   void measure_remesh()
   {
     constexpr double margin = 0.98; // for what lies between the samples
-    m_error.template sample_remesh<ConcurrencyTag>();
+    m_error.template take_samples_of_state<ConcurrencyTag>();
     m_mean_of_remesh = m_error.template mean<ConcurrencyTag>();
     m_max_error = margin * m_error.maximum();
     m_integrals_of_remesh.resize(m_state.mesh.faces.size());
@@ -90,7 +94,7 @@ private:
   }
 
   const State& m_state;
-  Flip_criterion<typename ReferenceSurface::Foot> m_flips;
+  Flip_criterion<Foot> m_flips;
   Sampled_error<ReferenceSurface> m_error;
   std::vector<double> m_integrals_of_remesh; // of the error over each face
   std::vector<Opposition> m_oppositions_of_remesh;

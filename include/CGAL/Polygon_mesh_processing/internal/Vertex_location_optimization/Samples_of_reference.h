@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_SAMPLE_BOTH_SURFACES_H
-#define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_SAMPLE_BOTH_SURFACES_H
+#ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_SAMPLES_OF_REFERENCE_H
+#define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_SAMPLES_OF_REFERENCE_H
 
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Patch_tree.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Optimization_state.h>
@@ -20,12 +20,11 @@ namespace Polygon_mesh_processing {
 namespace internal {
 namespace vertex_location {
 
-// A point of the reference that stands for an area of it, and the closest point of the remesh.
+// A point of the reference and the closest point of the remesh.
 struct Reference_sample
 {
   Point point;
   Vector normal;
-  double area;
   Patch_foot foot; // the face of the remesh and the coordinates in it
 };
 
@@ -33,6 +32,7 @@ struct Reference_sample
 struct Samples_of_reference
 {
   std::vector<Reference_sample> samples;
+  double area = 0; // of the reference, that each of them stands for
   std::vector<Index> first_of_face; // those of face f are samples[by_face[first_of_face[f]]], ...,
   std::vector<Index> by_face;       // samples[by_face[first_of_face[f + 1] - 1]]
   std::vector<double> face_paths;   // how far the vertices of each face have gone since its samples were computed
@@ -42,7 +42,7 @@ template <typename Surface, typename = void>
 struct Has_area_samples : std::false_type {};
 
 template <typename Surface>
-struct Has_area_samples<Surface, std::void_t<decltype(std::declval<const Surface&>().area_samples(std::size_t()))>>
+struct Has_area_samples<Surface, std::void_t<decltype(std::declval<const Surface&>().area())>>
   : std::true_type {};
 
 // Samples the reference, four points for a face of the remesh, if its type can be sampled.
@@ -52,9 +52,18 @@ void choose_reference_samples(const ReferenceSurface& reference,
                               Samples_of_reference& of_reference)
 {
   if constexpr(Has_area_samples<ReferenceSurface>::value)
-    for(const auto& [foot, area] : reference.area_samples(4 * number_of_faces))
+  {
+    const std::size_t number_of_samples = 4 * number_of_faces;
+    of_reference.area = reference.area() / number_of_samples;
+    if(!(of_reference.area > 0))
+      return;
+    of_reference.samples.reserve(number_of_samples);
+    reference.for_each_area_sample(of_reference.area, [&](const auto& foot)
+    {
       of_reference.samples.push_back({ convert<Point>(reference.point(foot)), convert<Vector>(reference.normal(foot)),
-                                       area, Patch_foot() });
+                                       Patch_foot() });
+    });
+  }
 }
 
 // Walks from face to face of the remesh as long as that leads closer to `query`: from a foot on the boundary of its face
@@ -106,7 +115,8 @@ inline void group_by_face(const std::size_t number_of_faces, Samples_of_referenc
     of_reference.by_face[end[samples[i].foot.patch]++] = i;
 }
 
-// Finds the closest points of the remesh to the samples of the reference with a tree.
+// Finds the closest points of the remesh to the samples of the reference with a tree. Neighbors among the samples follow each
+// other: the face of one is a hint for the next.
 template <typename ConcurrencyTag, typename Foot>
 void find_closest_faces(const Optimization_state<Foot>& state, Samples_of_reference& of_reference)
 {
@@ -118,9 +128,13 @@ void find_closest_faces(const Optimization_state<Foot>& state, Samples_of_refere
     for(std::size_t f = 0; f < mesh.faces.size(); ++f)
       triangles[f] = Flat_triangle(mesh.triangle(f));
     const Patch_tree<Flat_triangle> tree(std::move(triangles));
-    for_each_index<ConcurrencyTag>(samples.size(), [&](std::size_t i)
+    constexpr std::size_t block_size = 64;
+    for_each_index<ConcurrencyTag>((samples.size() + block_size - 1) / block_size, [&](std::size_t block)
     {
-      samples[i].foot = tree.project(samples[i].point);
+      const std::size_t end = (std::min)(samples.size(), (block + 1) * block_size);
+      Patch_foot hint;
+      for(std::size_t i = block * block_size; i < end; ++i)
+        hint = samples[i].foot = tree.project(samples[i].point, hint);
     });
   }
   of_reference.face_paths.assign(mesh.faces.size(), 0);
@@ -158,4 +172,4 @@ void walk_to_closest_faces(const Optimization_state<Foot>& state,
 } // namespace Polygon_mesh_processing
 } // namespace CGAL
 
-#endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_SAMPLE_BOTH_SURFACES_H
+#endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_SAMPLES_OF_REFERENCE_H

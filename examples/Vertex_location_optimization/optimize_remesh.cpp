@@ -63,6 +63,8 @@ struct Settings
   std::size_t iterations = 30;
   std::size_t free_iterations = 20;
   std::size_t relaxation_steps = 1;
+  bool is_least_squares = false;
+  double regularity_weight = 0.1;  // of least squares
   bool relax_constraints = false;
   bool test_self_intersections = false;
   bool is_sequential = false;
@@ -93,6 +95,10 @@ bool read_settings(int argc, char* argv[], Settings& s)
      "so many of them are not restricted to the normals")
     ("relaxation-steps", po::value(&s.relaxation_steps)->default_value(s.relaxation_steps),
      "steps of the springs in each free iteration")
+    ("least-squares", po::bool_switch(&s.is_least_squares),
+     "place the vertices by least squares over both surfaces instead of the piecewise linear method")
+    ("regularity-weight", po::value(&s.regularity_weight)->default_value(s.regularity_weight, "0.1"),
+     "what the shape of the triangles counts in least squares")
     ("test-self-intersections", po::bool_switch(&s.test_self_intersections), "cause no new self-intersection")
     ("sequential", po::bool_switch(&s.is_sequential), "use one thread")
     ("output,o", po::value(&s.output)->default_value(s.output), "what the names of the written files begin with")
@@ -127,6 +133,7 @@ bool read_settings(int argc, char* argv[], Settings& s)
   require(s.edge_length > 0 && std::isfinite(s.edge_length), "--edge-length must be positive");
   require(s.is_absolute || s.edge_length <= 1, "--edge-length is relative and must not exceed 1; see --absolute");
   require(s.crease_angle >= 0 && s.sharpness_angle >= 0, "angles must not be negative");
+  require(s.regularity_weight >= 0, "--regularity-weight must not be negative");
   require(s.largest_color >= 0, "--largest-color must not be negative");
   require(s.reference == "pn" || s.reference == "flat", "--reference must be pn or flat");
   require(s.format == "off" || s.format == "obj" || s.format == "ply" || s.format == "stl",
@@ -292,6 +299,8 @@ void optimize(const Settings& s, const Mesh& input, Mesh& mesh, Crease_map is_cr
     report = PMP::optimize_vertex_locations<Concurrency>(
       mesh, reference,
       CGAL::parameters::number_of_free_iterations(s.free_iterations)
+        .placement_method(s.is_least_squares ? PMP::LEAST_SQUARES : PMP::PIECEWISE_LINEAR)
+        .regularity_weight(s.regularity_weight)
         .number_of_iterations(s.iterations)
         .number_of_relaxation_steps(s.relaxation_steps)
         .edge_is_constrained_map(is_crease)

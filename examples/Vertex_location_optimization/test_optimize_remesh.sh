@@ -52,6 +52,7 @@ check_refused triangle.off --edge-length much
 check_refused triangle.off --edge-length 5
 check_refused triangle.off --reference round
 check_refused triangle.off --format xyz
+check_refused triangle.off --regularity-weight -1
 check_refused triangle.off --no-such-option
 check_refused triangle.off triangle.off
 
@@ -64,6 +65,8 @@ fi
 for file in remesh.off remesh_error.ply remesh_error.vtp optimized.off optimized_error.ply optimized_error.vtp; do
   [ -s "good_$file" ] || fail "good_$file is missing"
 done
+"$program" triangle.off --edge-length 0.3 --least-squares --regularity-weight 0.2 -o least_squares_ > stdout 2> stderr ||
+  fail "least squares"
 compgen -G '*.partial*' > written && fail "an incomplete file is left"
 "$program" --help | grep -q -- --edge-length || fail "--help"
 

@@ -28,10 +28,11 @@ struct Result
 };
 
 template <typename ConcurrencyTag>
-Result optimize(Mesh mesh, const Mesh& reference)
+Result optimize(Mesh mesh, const Mesh& reference, PMP::Placement_method method)
 {
   Result result;
-  result.report = PMP::optimize_vertex_locations<ConcurrencyTag>(mesh, reference);
+  result.report = PMP::optimize_vertex_locations<ConcurrencyTag>(mesh, reference,
+                                                                  CGAL::parameters::placement_method(method));
   result.points = points_of(mesh);
   return result;
 }
@@ -56,21 +57,25 @@ int main()
   }));
   const Mesh reference = make_mesh(icosphere(3));
 
-  start_topic("sequential");
-  const Result expected = optimize<CGAL::Sequential_tag>(mesh, reference);
-  CHECK_LESS(0u, expected.report.corrected_vertices);
-  CHECK(expected.points != points_of(mesh));
-  check_same(optimize<CGAL::Sequential_tag>(mesh, reference), expected);
-
-  for(int number_of_threads : { 1, 2, 3, 7 })
+  for(PMP::Placement_method method : { PMP::PIECEWISE_LINEAR, PMP::LEAST_SQUARES })
   {
-    start_topic(std::to_string(number_of_threads) + " threads");
-    tbb::global_control control(tbb::global_control::max_allowed_parallelism, number_of_threads);
-    tbb::task_arena arena(number_of_threads); // also where there are fewer cores
-    for(int i = 0; i < 2; ++i)
+    const std::string name = method == PMP::LEAST_SQUARES ? "least squares, " : "piecewise linear, ";
+    start_topic(name + "sequential");
+    const Result expected = optimize<CGAL::Sequential_tag>(mesh, reference, method);
+    CHECK_LESS(0u, expected.report.corrected_vertices);
+    CHECK(expected.points != points_of(mesh));
+    check_same(optimize<CGAL::Sequential_tag>(mesh, reference, method), expected);
+
+    for(int number_of_threads : { 1, 2, 3, 7 })
     {
-      arena.execute([&] { check_same(optimize<CGAL::Parallel_tag>(mesh, reference), expected); });
-      arena.execute([&] { check_same(optimize<CGAL::Parallel_if_available_tag>(mesh, reference), expected); });
+      start_topic(name + std::to_string(number_of_threads) + " threads");
+      tbb::global_control control(tbb::global_control::max_allowed_parallelism, number_of_threads);
+      tbb::task_arena arena(number_of_threads); // also where there are fewer cores
+      for(int i = 0; i < 2; ++i)
+      {
+        arena.execute([&] { check_same(optimize<CGAL::Parallel_tag>(mesh, reference, method), expected); });
+        arena.execute([&] { check_same(optimize<CGAL::Parallel_if_available_tag>(mesh, reference, method), expected); });
+      }
     }
   }
   return test_result();

@@ -1,0 +1,170 @@
+// Copyright (c) 2026 The Vertex_location_optimization authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What the least squares placement is for: it agrees with the paper's method where that is exact, finds creases that nobody
+// has marked and tips that the remesh has cut off, and trades error for regularity.
+
+#include "check.h"
+#include "Distance_to_mesh.h"
+#include "Exact_sphere.h"
+#include "invariants.h"
+#include "mesh_quality.h"
+#include "test_meshes.h"
+
+#include <CGAL/Polygon_mesh_processing/Flat_triangle_surface.h>
+#include <CGAL/Polygon_mesh_processing/optimize_vertex_locations.h>
+
+namespace PMP = CGAL::Polygon_mesh_processing;
+namespace params = CGAL::parameters;
+using Flat_surface = PMP::Flat_triangle_surface<Mesh>;
+
+Mesh optimized(Mesh mesh, const Mesh& reference, PMP::Placement_method method, double regularity_weight = 0.1)
+{
+  const Mesh before = mesh;
+  PMP::optimize_vertex_locations(mesh, Flat_surface(reference),
+                                 params::placement_method(method).regularity_weight(regularity_weight));
+  check_invariants(before, mesh);
+  return mesh;
+}
+
+void test_sphere()
+{
+  start_topic("A sphere of radius r: vertices move by h^2 / 8r, the mean error falls to a fifth");
+  Mesh mesh = make_mesh(icosphere(4));
+  auto distance = [](const Point& p) { return std::abs(norm(p - CGAL::ORIGIN) - 1); };
+  const Errors before = measure_errors(mesh, 8, distance);
+
+  // a model of the concept, of which no samples can be taken
+  PMP::optimize_vertex_locations(mesh, Exact_sphere(CGAL::ORIGIN, 1), params::placement_method(PMP::LEAST_SQUARES));
+  for(Mesh::Vertex_index v : mesh.vertices())
+    if(mesh.degree(v) == 6)
+    {
+      double sum = 0;
+      for(Mesh::Halfedge_index h : mesh.halfedges_around_target(mesh.halfedge(v)))
+        sum += CGAL::squared_distance(mesh.point(mesh.source(h)), mesh.point(v));
+      CHECK_NEAR((norm(mesh.point(v) - CGAL::ORIGIN) - 1) / (sum / 6 / 8), 1, 0.05);
+    }
+  CHECK_NEAR(measure_errors(mesh, 8, distance).mean / before.mean, 0.2, 0.01);
+}
+
+void test_unmarked_creases()
+{
+  start_topic("A cube gets its edges and corners back, although no vertex was on them and no edge is constrained");
+  const Mesh reference = make_mesh(cube(0));
+  const Mesh remesh = make_mesh(transformed(icosphere(4), [](const Point& p)
+  {
+    const Point q = rotated(p);
+    return CGAL::ORIGIN + (q - CGAL::ORIGIN) / (std::max)({ std::abs(q.x()), std::abs(q.y()), std::abs(q.z()) });
+  }));
+  const Distance_to_mesh distance(reference);
+  const double before = measure_errors(remesh, 6, distance).mean;
+  const double paper = measure_errors(optimized(remesh, reference, PMP::PIECEWISE_LINEAR), 6, distance).mean;
+  const double least_squares = measure_errors(optimized(remesh, reference, PMP::LEAST_SQUARES), 6, distance).mean;
+  CHECK_AT_MOST(least_squares, 0.05 * before);
+  CHECK_AT_MOST(least_squares, 0.3 * paper);
+}
+
+void test_tip()
+{
+  start_topic("A tip that the remesh has cut off comes back");
+  auto with_tip = [](const Point& p)
+  {
+    const Vector n = unit(p - CGAL::ORIGIN);
+    return CGAL::ORIGIN + (1 + std::exp(-60 * (1 - n.z()))) * n;
+  };
+  const Mesh reference = make_mesh(transformed(icosphere(5), with_tip));
+  const Mesh remesh = make_mesh(transformed(icosphere(3), [&](const Point& p) { return with_tip(rotated(p)); }));
+  auto largest_distance_back = [&](const Mesh& mesh)
+  {
+    const Distance_to_mesh distance(mesh);
+    double largest = 0;
+    for(const Point& p : reference.points())
+      largest = (std::max)(largest, distance(p));
+    return largest;
+  };
+  const double before = largest_distance_back(remesh);
+  const double paper = largest_distance_back(optimized(remesh, reference, PMP::PIECEWISE_LINEAR));
+  const double least_squares = largest_distance_back(optimized(remesh, reference, PMP::LEAST_SQUARES));
+  CHECK_AT_MOST(least_squares, 0.4 * before);
+  CHECK_AT_MOST(least_squares, 0.7 * paper);
+}
+
+void test_regularity_weight()
+{
+  start_topic("The larger the weight, the larger the angles and the error");
+  CGAL::Random random(11);
+  auto bumpy = [](const Vector& n)
+  {
+    return CGAL::ORIGIN + (1 + 0.1 * std::sin(5 * n.x()) * std::sin(4 * n.y())) * n;
+  };
+  const Mesh reference = make_mesh(transformed(icosphere(5), [&](const Point& p) { return bumpy(unit(p - CGAL::ORIGIN)); }));
+  const Mesh remesh = make_mesh(transformed(icosphere(3), [&](const Point& p)
+  {
+    auto moved = [&](double x) { return x + random.get_double(-.04, .04); };
+    const double x = moved(p.x()), y = moved(p.y());
+    return bumpy(unit(Vector(x, y, moved(p.z()))));
+  }));
+  const Distance_to_mesh distance(reference);
+  double last_error = 0, last_angle = 0;
+  for(double weight : { 0.0125, 0.1, 0.8 })
+  {
+    const Mesh mesh = optimized(remesh, reference, PMP::LEAST_SQUARES, weight);
+    const double error = measure_errors(mesh, 6, distance).mean, angle = mean_min_angle(mesh);
+    CHECK_LESS(last_error, error);
+    CHECK_LESS(last_angle, angle);
+    last_error = error;
+    last_angle = angle;
+  }
+}
+
+void test_planes()
+{
+  start_topic("A planar mesh stays in its plane, its border where it is");
+  const Mesh plane = make_mesh(transformed(planar_patch(12), rigid_motion));
+  const Mesh reference = make_mesh(transformed(triangle_grid(5, 5), [](const Point& p)
+  {
+    return rigid_motion(Point(4 * p.x() - 3, 4 * p.y() - 3, 0));
+  }));
+  const Mesh mesh = optimized(plane, reference, PMP::LEAST_SQUARES);
+  const Vector normal = rigid_motion(Point(0, 0, 1)) - rigid_motion(CGAL::ORIGIN);
+  for(const Point& p : mesh.points())
+    CHECK_AT_MOST(std::abs((p - rigid_motion(CGAL::ORIGIN)) * normal), 1e-12 * 12);
+}
+
+void test_equivariance()
+{
+  start_topic("Scaled by a power of two, the result is the same to the last bit; moved, it is as good");
+  // The samples of the reference depend on the order of its faces, and that on the directions of the axes.
+  const Mesh reference = make_mesh(icosphere(4)), remesh = make_mesh(transformed(icosphere(3), rotated));
+  auto transformed_mesh = [](Mesh mesh, const auto& transformation)
+  {
+    for(Point& p : mesh.points())
+      p = transformation(p);
+    return mesh;
+  };
+  const Mesh result = optimized(remesh, reference, PMP::LEAST_SQUARES);
+  for(double factor : { std::ldexp(1, -20), std::ldexp(1, 20) })
+  {
+    auto scale = [&](const Point& p) { return CGAL::ORIGIN + factor * (p - CGAL::ORIGIN); };
+    const Mesh scaled = optimized(transformed_mesh(remesh, scale), transformed_mesh(reference, scale), PMP::LEAST_SQUARES);
+    CHECK(points_of(scaled) == points_of(transformed_mesh(result, scale)));
+  }
+  const Mesh moved_reference = transformed_mesh(reference, rigid_motion);
+  const Mesh moved = optimized(transformed_mesh(remesh, rigid_motion), moved_reference, PMP::LEAST_SQUARES);
+  const double error = measure_errors(result, 6, Distance_to_mesh(reference)).mean;
+  const double error_moved = measure_errors(moved, 6, Distance_to_mesh(moved_reference)).mean;
+  CHECK_NEAR(error_moved / error, 1, 0.02);
+}
+
+int main()
+{
+  test_sphere();
+  test_unmarked_creases();
+  test_tip();
+  test_regularity_weight();
+  test_planes();
+  test_equivariance();
+  return test_result();
+}

@@ -122,6 +122,7 @@ void check_unreadable(const Directory& directory,
   {
     return CGAL::IO::read_geometry_image(file, image, CGAL::parameters::verbose(verbose));
   });
+  CHECK_EQUAL(errors_of([&] { CGAL::IO::read_geometry_image(file, image); }), ""); // by default
   CHECK(are_identical(image, before));
 }
 
@@ -132,6 +133,7 @@ void check_unwritable(const std::string& file, const Image& image, const std::st
   {
     return CGAL::IO::write_geometry_image(file, image, CGAL::parameters::verbose(verbose));
   });
+  CHECK_EQUAL(errors_of([&] { CGAL::IO::write_geometry_image(file, image); }), ""); // by default
   CHECK_EQUAL(read_bytes(file), before);
 }
 

@@ -349,6 +349,18 @@ void test_parameters()
   CHECK(are_identical(optimized(image, sphere, params::do_self_intersection_tests(true)).image, result));
   CHECK(are_identical(optimized(image, sphere, params::number_of_relaxation_steps(9)).image, result)); // no springs
 
+  auto is_default = [&](const auto& np) { return are_identical(optimized(image, sphere, np).image, result); };
+  CHECK(is_default(params::number_of_iterations(30)));
+  CHECK(is_default(params::number_of_free_iterations(20)));
+  CHECK(is_default(params::convergence_threshold(1e-6)));
+  CHECK(is_default(params::placement_method(PMP::PIECEWISE_LINEAR)));
+  CHECK(is_default(params::relax_constraints(false)));
+  CHECK(is_default(params::do_self_intersection_tests(false)));
+  CHECK(is_default(params::visitor(PMP::Vertex_location_optimization_default_visitor())));
+  CHECK(are_identical(optimized(image, sphere, params::placement_method(PMP::LEAST_SQUARES)).image,
+                      optimized(image, sphere,
+                                params::placement_method(PMP::LEAST_SQUARES).regularity_weight(0.1)).image));
+
   Counting_visitor visitor;
   const Result stopped = optimized(image, sphere, params::visitor(std::ref(visitor)));
   CHECK_EQUAL(stopped.report.iterations, 4u);

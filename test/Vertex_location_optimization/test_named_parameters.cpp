@@ -12,6 +12,7 @@
 
 #include <CGAL/Polygon_mesh_processing/optimize_vertex_locations.h>
 
+#include <CGAL/property_map.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <functional>
@@ -57,6 +58,14 @@ void test_defaults(const Input& input)
   CHECK(is_default(parameters::relax_constraints(false)));
   CHECK(is_default(parameters::do_self_intersection_tests(false)));
   CHECK(is_default(parameters::visitor(PMP::Vertex_location_optimization_default_visitor())));
+  CHECK(is_default(parameters::allow_move_functor([](Vertex, const Point&, const Point&) { return true; })));
+  CHECK(is_default(parameters::vertex_is_constrained_map(CGAL::Constant_property_map<Vertex, bool>(false))));
+  CHECK(is_default(parameters::edge_is_constrained_map(CGAL::Constant_property_map<Mesh::Edge_index, bool>(false))));
+  {
+    Mesh mesh = input.mesh;
+    PMP::optimize_vertex_locations(mesh, input.reference, parameters::vertex_point_map(get(CGAL::vertex_point, mesh)));
+    CHECK(points_of(mesh) == expected);
+  }
   CHECK(optimized(input.mesh, input.reference, parameters::placement_method(PMP::LEAST_SQUARES)) ==
         optimized(input.mesh, input.reference,
                   parameters::placement_method(PMP::LEAST_SQUARES).regularity_weight(0.1)));

@@ -73,8 +73,10 @@ void test_hopeless()
   test("cube that needs nothing", reference, make_mesh(cube(1)));
 }
 
-// Needles on round parts of the PN surface: when they have moved across, the distance to it is several times larger between
-// the samples that the package takes than at them. A run that a visitor stops gives no worse a result than a full one.
+// Meshes as remeshes of their own PN surfaces. When the needles of `handle`, which are on round parts, have moved across, the
+// distance is several times larger between the samples that the package takes than at them; so it is on a face of
+// `patch-30`, and on `knot2` it has ridges where two sheets are equally far away. A run that a visitor stops gives no worse a
+// result than a full one.
 void test_between_samples()
 {
   struct Impatient_visitor
@@ -86,22 +88,26 @@ void test_between_samples()
     std::size_t max_iterations = 0, iterations = 0;
   };
 
-  start_topic("handle, as a remesh of its PN surface");
-  const Mesh remesh = read_model("handle");
-  const PMP::PN_triangle_surface<Mesh> surface(remesh);
-  auto largest_error = [&](const Mesh& m)
+  for(const std::string name : { "handle", "patch-30", "knot2" })
   {
-    return measure_errors(m, 8, [&](const Point& p) { return norm(surface.point(surface.project(p)) - p); }).max;
-  };
-  for(std::size_t iterations : { 30, 10 })
-  {
-    Impatient_visitor visitor;
-    visitor.max_iterations = iterations;
-    Mesh mesh = remesh;
-    const auto report = PMP::optimize_vertex_locations(mesh, surface, CGAL::parameters::visitor(std::ref(visitor)));
-    CHECK_EQUAL(report.iterations, iterations);
-    CHECK(points_of(mesh) != points_of(remesh));
-    CHECK_LESS(largest_error(mesh), largest_error(remesh));
+    start_topic(name + ", as a remesh of its PN surface");
+    const Mesh remesh = read_model(name);
+    const PMP::PN_triangle_surface<Mesh> surface(remesh);
+    auto largest_error = [&](const Mesh& m)
+    {
+      return measure_errors(m, 8, [&](const Point& p) { return norm(surface.point(surface.project(p)) - p); }).max;
+    };
+    const double before = largest_error(remesh);
+    for(std::size_t iterations : { 24, 10 })
+    {
+      Impatient_visitor visitor;
+      visitor.max_iterations = iterations;
+      Mesh mesh = remesh;
+      const auto report = PMP::optimize_vertex_locations(mesh, surface, CGAL::parameters::visitor(std::ref(visitor)));
+      CHECK_EQUAL(report.iterations, iterations);
+      CHECK(points_of(mesh) != points_of(remesh));
+      CHECK_AT_MOST(largest_error(mesh), before);
+    }
   }
 }
 

@@ -171,15 +171,21 @@ public:
   Opposition opposition(std::size_t f) const { return m_opposition[f]; }
 
   // The largest distance on face f, rather more than less, if the samples come near `threshold`; else the largest of the
-  // samples. Between them the distance may be larger: threefold on a face that spans a crease, less the more samples there
-  // are.
+  // samples. Between them the distance may be larger: fivefold on a face that spans a crease, less the more samples there
+  // are. Where two sheets of the reference are equally far away it has a ridge, on which climbing may end too early.
   double maximum(std::size_t f, double threshold) const
   {
-    constexpr double near = 0.3, nearer = 0.6;
-    double sampled = sampled_maximum(f);
-    if(sampled >= near * threshold && sampled < nearer * threshold)
-      sampled = (std::max)(sampled, lattice_maximum(f, m_state.targets, 4).first);
-    return sampled < nearer * threshold ? sampled : (std::max)(sampled, climb_to_maximum(f, m_state.targets).first);
+    constexpr double near = 0.2, nearer = 0.6, nearest = 0.9;
+    const double sampled = sampled_maximum(f);
+    if(!(sampled >= near * threshold))
+      return sampled;
+    if(sampled < nearer * threshold &&
+       lattice_maximum(f, m_state.targets, 4, &Sampled_error::distance_near).first < nearer * threshold)
+      return sampled;
+    const double result = (std::max)(sampled, climb_to_maximum(f, m_state.targets).first);
+    if(result >= nearest * threshold && result <= threshold)
+      return (std::max)(result, climb_to_maximum(f, m_state.targets, 24).first);
+    return result;
   }
 
 private:
@@ -202,7 +208,11 @@ private:
   }
 
   // the largest distance on a lattice on face f with its vertices at `points`, and where it is
-  std::pair<double, Coordinates> lattice_maximum(std::size_t f, const std::vector<Point>& points, int level = 8) const
+  std::pair<double, Coordinates> lattice_maximum(
+    std::size_t f,
+    const std::vector<Point>& points,
+    int level = 8,
+    double (Sampled_error::*distance)(const Point&, const Foot&) const = &Sampled_error::distance) const
   {
     const std::array<Point, 3> t = m_state.mesh.triangle(f, points);
     std::pair<double, Coordinates> best{ -1, Coordinates() };
@@ -210,7 +220,7 @@ private:
       for(int j = 0; j <= level - i; ++j)
       {
         const Coordinates x{ double(i) / level, double(j) / level };
-        const double d = distance(point_at(t, x), m_state.vertex_samples.feet[m_state.mesh.faces[f][0]]);
+        const double d = (this->*distance)(point_at(t, x), m_state.vertex_samples.feet[m_state.mesh.faces[f][0]]);
         if(d > best.first)
           best = { d, x };
       }
@@ -218,12 +228,12 @@ private:
   }
 
   // the largest distance that is found by climbing from that on the lattice, and where it is
-  std::pair<double, Coordinates> climb_to_maximum(std::size_t f, const std::vector<Point>& points) const
+  std::pair<double, Coordinates> climb_to_maximum(std::size_t f, const std::vector<Point>& points, int level = 8) const
   {
     constexpr int number_of_halvings = 5;
     const std::array<Point, 3> t = m_state.mesh.triangle(f, points);
-    auto [result, best] = lattice_maximum(f, points);
-    double step = 1 / 16.; // half a step of the lattice
+    auto [result, best] = lattice_maximum(f, points, level);
+    double step = 0.5 / level;
     for(int i = 0; i < number_of_halvings; ++i, step /= 2)
     {
       const Coordinates center = best;

@@ -8,6 +8,7 @@ set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../cmake/setup.sh"
 
 parallel_tests=(parallel)
+no_warnings='-Wno-maybe-uninitialized -Wno-unknown-warning-option' # Clang does not know the first
 
 # run_with FLAGS TEST... configures in a directory of the flags' own; without a test it runs all that are no project
 run_with()
@@ -20,7 +21,7 @@ run_with()
   build_dir=$root/build-${flags//[^a-z]/-}
   # of code with the sanitizers' own checks GCC says falsely that variables may be uninitialized
   configure -DCMAKE_BUILD_TYPE=None \
-    -DCMAKE_CXX_FLAGS="-O1 -g1 -fno-omit-frame-pointer -fsanitize=$flags -Wno-maybe-uninitialized ${extra_flags:-}" \
+    -DCMAKE_CXX_FLAGS="-O1 -g1 -fno-omit-frame-pointer -fsanitize=$flags $no_warnings ${extra_flags:-}" \
     -DCGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE=ON
   cmake --build "$build_dir" -j "$jobs" --target "${targets[@]}"
   names=$(IFS='|'; echo "$*")

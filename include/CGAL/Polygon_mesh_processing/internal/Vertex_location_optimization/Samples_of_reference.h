@@ -115,8 +115,8 @@ inline void group_by_face(const std::size_t number_of_faces, Samples_of_referenc
     of_reference.by_face[end[samples[i].foot.patch]++] = i;
 }
 
-// Finds the closest points of the remesh to the samples of the reference with a tree. Neighbors among the samples follow each
-// other: the face of one is a hint for the next.
+// Finds the closest points of the remesh to the samples of the reference with a tree. Neighbors among the samples follow
+// each other: the face of one is a hint for the next.
 template <typename ConcurrencyTag, typename Foot>
 void find_closest_faces(const Optimization_state<Foot>& state, Samples_of_reference& of_reference)
 {

@@ -15,8 +15,8 @@ namespace internal {
 namespace vertex_location {
 
 // Section 3.1: takes p_i and n_i from the reference at the foot of each vertex, m_ij at the foot of the midpoint of each
-// edge; in the first iteration. Calls on_barycenter(f, foot) with the foot of the barycenter of each face f, at which samples
-// are taken, too, if the state has them.
+// edge; in the first iteration. Calls on_barycenter(f, foot) with the foot of the barycenter of each face f, at which
+// samples are taken, too, if the state has them.
 template <typename ConcurrencyTag, typename ReferenceSurface, typename OnBarycenter>
 void start_samples(const ReferenceSurface& reference,
                    Optimization_state<typename ReferenceSurface::Foot>& state,

@@ -70,6 +70,15 @@ Errors measure_errors(const Mesh& mesh, int splits, const Distance& distance)
   return errors;
 }
 
+// the mean of the squared lengths of the edges at v
+inline double mean_squared_length_around(const Mesh& mesh, Mesh::Vertex_index v)
+{
+  double sum = 0;
+  for(Mesh::Halfedge_index h : halfedges_around_target(v, mesh))
+    sum += CGAL::squared_distance(mesh.point(mesh.source(h)), mesh.point(v));
+  return sum / mesh.degree(v);
+}
+
 // the mean over the faces of the smallest angle, in degrees
 inline double mean_min_angle(const Mesh& mesh)
 {

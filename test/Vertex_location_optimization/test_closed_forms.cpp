@@ -29,14 +29,6 @@ public:
   Vector normal(const Foot& foot) const { return foot.direction; }
 };
 
-double mean_squared_length_around(const Mesh& mesh, Mesh::Vertex_index v)
-{
-  double sum = 0;
-  for(Mesh::Halfedge_index h : halfedges_around_target(v, mesh))
-    sum += CGAL::squared_distance(mesh.point(mesh.source(h)), mesh.point(v));
-  return sum / mesh.degree(v);
-}
-
 // What equations (1) and (2) make of a sphere of radius 1 around v, where the height over the tangent plane is minus half
 // the squared distance, for any lengths of the edges.
 double expected_shift(const Mesh& mesh, Mesh::Vertex_index v)

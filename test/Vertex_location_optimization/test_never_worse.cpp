@@ -88,7 +88,12 @@ void test_between_samples()
     std::size_t max_iterations = 0, iterations = 0;
   };
 
-  for(const std::string name : { "handle", "patch-30", "knot2" })
+  struct Model
+  {
+    std::string name;
+    std::size_t iterations; // of a full run
+  };
+  for(const auto& [name, full_iterations] : { Model{ "handle", 30 }, Model{ "patch-30", 24 }, Model{ "knot2", 30 } })
   {
     start_topic(name + ", as a remesh of its PN surface");
     const Mesh remesh = read_model(name);
@@ -98,7 +103,7 @@ void test_between_samples()
       return measure_errors(m, 8, [&](const Point& p) { return norm(surface.point(surface.project(p)) - p); }).max;
     };
     const double before = largest_error(remesh);
-    for(std::size_t iterations : { 24, 10 })
+    for(std::size_t iterations : { full_iterations, std::size_t(10) })
     {
       Impatient_visitor visitor;
       visitor.max_iterations = iterations;
@@ -106,7 +111,7 @@ void test_between_samples()
       const auto report = PMP::optimize_vertex_locations(mesh, surface, CGAL::parameters::visitor(std::ref(visitor)));
       CHECK_EQUAL(report.iterations, iterations);
       CHECK(points_of(mesh) != points_of(remesh));
-      CHECK_AT_MOST(largest_error(mesh), before);
+      CHECK_LESS(largest_error(mesh), before);
     }
   }
 }

@@ -64,7 +64,7 @@ struct Settings
   std::size_t free_iterations = 20;
   std::size_t relaxation_steps = 1;
   bool is_least_squares = false;
-  double regularity_weight = 0.1;  // of least squares
+  double regularity_weight = 0.15; // of least squares
   bool relax_constraints = false;
   bool test_self_intersections = false;
   bool is_sequential = false;
@@ -97,9 +97,10 @@ bool read_settings(int argc, char* argv[], Settings& s)
      "steps of the springs in each free iteration")
     ("least-squares", po::bool_switch(&s.is_least_squares),
      "place the vertices by least squares over both surfaces instead of the piecewise linear method")
-    ("regularity-weight", po::value(&s.regularity_weight)->default_value(s.regularity_weight, "0.1"),
+    ("regularity-weight", po::value(&s.regularity_weight)->default_value(s.regularity_weight, "0.15"),
      "what the shape of the triangles counts in least squares")
-    ("test-self-intersections", po::bool_switch(&s.test_self_intersections), "cause no new self-intersection")
+    ("test-self-intersections", po::bool_switch(&s.test_self_intersections),
+     "cause no new self-intersection; least squares never does")
     ("sequential", po::bool_switch(&s.is_sequential), "use one thread")
     ("output,o", po::value(&s.output)->default_value(s.output), "what the names of the written files begin with")
     ("format", po::value(&s.format)->default_value(s.format), "format of the meshes: off, obj, ply, stl")
@@ -305,7 +306,7 @@ void optimize(const Settings& s, const Mesh& input, Mesh& mesh, Crease_map is_cr
         .number_of_relaxation_steps(s.relaxation_steps)
         .edge_is_constrained_map(is_crease)
         .relax_constraints(s.relax_constraints)
-        .do_self_intersection_tests(s.test_self_intersections)
+        .do_self_intersection_tests(s.test_self_intersections || s.is_least_squares)
         .visitor(std::ref(progress)));
   }
   std::printf("optimized: %zu iterations, %.2f s\n", report.iterations, timer.time());

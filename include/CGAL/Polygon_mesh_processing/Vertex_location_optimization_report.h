@@ -23,7 +23,7 @@ struct Vertex_location_optimization_report
   /// the number of iterations done; `0` if the input was unsuitable
   std::size_t iterations = 0;
 
-  /// whether the run ended since no vertex moved farther than the convergence threshold
+  /// whether the run ended since the vertices did not move farther than the convergence threshold
   bool converged = false;
 
   /// how far the vertex that moved farthest in the last iteration moved, in the unit of the input

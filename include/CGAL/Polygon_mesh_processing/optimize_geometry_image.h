@@ -61,9 +61,10 @@ namespace Polygon_mesh_processing {
  *
  *   \cgalParamNBegin{convergence_threshold}
  *     \cgalParamDescription{The iterations end when no sample has moved farther than this, relative to the mean edge
- *                           length of the triangulated image.}
+ *                           length of the triangulated image; with `LEAST_SQUARES`, along the normals in the root mean
+ *                           square.}
  *     \cgalParamType{a number type convertible to `double`}
- *     \cgalParamDefault{`1e-6`}
+ *     \cgalParamDefault{`1e-6`; with `LEAST_SQUARES` `7.5e-4`}
  *   \cgalParamNEnd
  *
  *   \cgalParamNBegin{placement_method}
@@ -75,7 +76,7 @@ namespace Polygon_mesh_processing {
  *   \cgalParamNBegin{regularity_weight}
  *     \cgalParamDescription{with `LEAST_SQUARES`, the weight of the regularity of the triangles beside their error}
  *     \cgalParamType{a number type convertible to `double`}
- *     \cgalParamDefault{`0.1`}
+ *     \cgalParamDefault{`0.15`}
  *   \cgalParamNEnd
  *
  *   \cgalParamNBegin{relax_constraints}
@@ -87,7 +88,7 @@ namespace Polygon_mesh_processing {
  *   \cgalParamNBegin{do_self_intersection_tests}
  *     \cgalParamDescription{If `true`, moves are shortened until no two triangles intersect that did not before.}
  *     \cgalParamType{Boolean}
- *     \cgalParamDefault{`false`}
+ *     \cgalParamDefault{`false`; with `LEAST_SQUARES` `true`}
  *   \cgalParamNEnd
  *
  *   \cgalParamNBegin{visitor}

@@ -97,9 +97,11 @@ namespace Polygon_mesh_processing {
  *
  *   \cgalParamNBegin{convergence_threshold}
  *     \cgalParamDescription{When no vertex has moved farther than this, relative to the mean edge length of `tmesh`,
- *                           the iterations end: with the next one, if the closest points were not exact.}
+ *                           the iterations end: with the next one, if the closest points were not exact. With
+ *                           `LEAST_SQUARES` it is the root mean square of the displacements along the normals of the
+ *                           reference that counts.}
  *     \cgalParamType{a number type convertible to `double`}
- *     \cgalParamDefault{`1e-6`}
+ *     \cgalParamDefault{`1e-6`; with `LEAST_SQUARES` `7.5e-4`}
  *   \cgalParamNEnd
  *
  *   \cgalParamNBegin{placement_method}
@@ -112,7 +114,7 @@ namespace Polygon_mesh_processing {
  *     \cgalParamDescription{with `LEAST_SQUARES`, the weight of the regularity of the triangles beside their error; less
  *                           of it gives less error and less regular triangles}
  *     \cgalParamType{a number type convertible to `double`}
- *     \cgalParamDefault{`0.1`}
+ *     \cgalParamDefault{`0.15`}
  *     \cgalParamExtra{The springs of `PIECEWISE_LINEAR` have no weight: see `number_of_relaxation_steps`. With
  *                     `LEAST_SQUARES` only the vertices of constrained edges have springs, and the free iterations are
  *                     theirs alone.}
@@ -166,7 +168,7 @@ namespace Polygon_mesh_processing {
  *     \cgalParamDescription{If `true`, moves are shortened until no two faces intersect that did not before. The test is
  *                           `self_intersections()`, at the end of the run.}
  *     \cgalParamType{Boolean}
- *     \cgalParamDefault{`false`}
+ *     \cgalParamDefault{`false`; with `LEAST_SQUARES` `true`}
  *   \cgalParamNEnd
  *
  *   \cgalParamNBegin{visitor}
@@ -220,10 +222,11 @@ optimize_vertex_locations(TriangleMesh& tmesh,
     choose_parameter(get_parameter(np1, internal_np::number_of_free_iterations), options.number_of_free_iterations);
   options.number_of_relaxation_steps =
     choose_parameter(get_parameter(np1, internal_np::number_of_relaxation_steps), options.number_of_relaxation_steps);
-  options.convergence_threshold =
-    to_double(choose_parameter(get_parameter(np1, internal_np::convergence_threshold), options.convergence_threshold));
   options.placement_method =
     choose_parameter(get_parameter(np1, internal_np::placement_method), options.placement_method);
+  options.convergence_threshold =
+    to_double(choose_parameter(get_parameter(np1, internal_np::convergence_threshold),
+                               default_convergence_threshold(options.placement_method)));
   options.regularity_weight =
     to_double(choose_parameter(get_parameter(np1, internal_np::regularity_weight), options.regularity_weight));
   const bool has_valid_options = options.convergence_threshold >= 0 && options.regularity_weight >= 0;
@@ -242,7 +245,8 @@ optimize_vertex_locations(TriangleMesh& tmesh,
   };
 
   const Self_intersection_test<ConcurrencyTag, TriangleMesh> find_self_intersections(
-    tmesh, descriptors, choose_parameter(get_parameter(np1, internal_np::do_self_intersection_tests), false));
+    tmesh, descriptors, choose_parameter(get_parameter(np1, internal_np::do_self_intersection_tests),
+                                         options.placement_method == LEAST_SQUARES));
 
   auto visitor_or_reference = choose_parameter(get_parameter(np1, internal_np::visitor),
                                                Vertex_location_optimization_default_visitor());

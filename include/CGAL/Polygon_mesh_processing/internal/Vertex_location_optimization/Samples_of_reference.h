@@ -45,7 +45,7 @@ template <typename Surface>
 struct Has_area_samples<Surface, std::void_t<decltype(std::declval<const Surface&>().area())>>
   : std::true_type {};
 
-// Samples the reference, four points for a face of the remesh, if its type can be sampled.
+// Samples the reference, six points for a face of the remesh, if its type can be sampled.
 template <typename ReferenceSurface>
 void choose_reference_samples(const ReferenceSurface& reference,
                               const std::size_t number_of_faces,
@@ -53,7 +53,7 @@ void choose_reference_samples(const ReferenceSurface& reference,
 {
   if constexpr(Has_area_samples<ReferenceSurface>::value)
   {
-    const std::size_t number_of_samples = 4 * number_of_faces;
+    const std::size_t number_of_samples = 6 * number_of_faces;
     of_reference.area = reference.area() / number_of_samples;
     if(!(of_reference.area > 0))
       return;
@@ -138,7 +138,17 @@ void find_closest_faces(const Optimization_state<Foot>& state, Samples_of_refere
     });
   }
   of_reference.face_paths.assign(mesh.faces.size(), 0);
+
+  // in the order of the faces from now on, as most samples stay with their faces
   group_by_face(mesh.faces.size(), of_reference);
+  std::vector<Reference_sample> in_order;
+  in_order.reserve(samples.size());
+  for(Index& i : of_reference.by_face)
+  {
+    in_order.push_back(samples[i]);
+    i = static_cast<Index>(in_order.size() - 1);
+  }
+  samples.swap(in_order);
 }
 
 // Finds them from the last closest points, but keeps those of faces whose vertices have gone no farther than `tolerance`.

@@ -32,14 +32,20 @@ struct Allow_all_moves
   bool operator()(const Vertex&, const Point&, const Point&) const { return true; }
 };
 
+// Where LEAST_SQUARES ends with this the mean error is within 2% of that after twice as many iterations.
+inline double default_convergence_threshold(const Placement_method method)
+{
+  return method == LEAST_SQUARES ? 7.5e-4 : 1e-6;
+}
+
 struct Options
 {
   std::size_t number_of_iterations = 30;
   std::size_t number_of_free_iterations = 20;
   std::size_t number_of_relaxation_steps = 1;
-  double convergence_threshold = 1e-6; // relative to the mean edge length
   Placement_method placement_method = PIECEWISE_LINEAR;
-  double regularity_weight = 0.1;      // of LEAST_SQUARES
+  double convergence_threshold = default_convergence_threshold(PIECEWISE_LINEAR); // relative to the mean edge length
+  double regularity_weight = 0.15;     // of LEAST_SQUARES
 };
 
 // Algorithm 1: moves the vertices of the mesh in `state` to where its faces approximate `reference` best. `AllowMove` is
@@ -110,11 +116,11 @@ private:
   // foot, and the feet stay as they are when that begins.
   Sampling_tolerance tolerance() const
   {
-    const double distance = 0.05 * m_state.mean_edge_length;
+    const double length = m_state.mean_edge_length, distance = 0.05 * length;
     if(is_least_squares())
-      return { 0.02 * m_state.mean_edge_length, distance, true };
+      return { std::clamp(10 * m_displacement_along_normals, 0.02 * length, 0.1 * length), distance, true };
     const bool is_first_along_normal = m_report.iterations == m_options.number_of_free_iterations;
-    return { is_first_along_normal ? 0 : 0.05 * m_state.mean_edge_length, distance, is_free() };
+    return { is_first_along_normal ? 0 : 0.05 * length, distance, is_free() };
   }
 
   void sample()
@@ -220,14 +226,22 @@ private:
 
   void move_vertices()
   {
-    double squared_displacement = 0;
+    double largest2 = 0, along_normals2 = 0;
     for(std::size_t i = 0; i < m_state.targets.size(); ++i)
-      squared_displacement = (std::max)(squared_displacement,
-                                        squared_distance(m_state.mesh.points[i], m_state.targets[i]));
+    {
+      const Vector displacement = m_state.targets[i] - m_state.mesh.points[i];
+      largest2 = (std::max)(largest2, displacement.squared_length());
+      along_normals2 += square(displacement * m_state.vertex_samples.normals[i]);
+    }
     m_state.mesh.points.swap(m_state.targets);
 
-    m_report.displacement = std::sqrt(squared_displacement);
-    const bool settles = m_report.displacement <= m_options.convergence_threshold * m_state.mean_edge_length;
+    m_report.displacement = std::sqrt(largest2);
+    const double last_along_normals = m_displacement_along_normals;
+    m_displacement_along_normals = std::sqrt(along_normals2 / (std::max)(m_state.targets.size(), std::size_t(1)));
+    // with LEAST_SQUARES vertices swing about the surface first, those whose moves are shortened always, and all slide on
+    const double displacement = is_least_squares() ? (std::max)(last_along_normals, m_displacement_along_normals)
+                                                   : m_report.displacement;
+    const bool settles = displacement <= m_options.convergence_threshold * m_state.mean_edge_length;
     m_report.converged = m_has_settled || (settles && is_last());
     m_has_settled = settles;
     ++m_report.iterations;
@@ -249,7 +263,8 @@ private:
   Samples_of_reference m_of_reference; // of LEAST_SQUARES
   Harm_criterion<ReferenceSurface> m_harm_criterion;
   std::vector<char> m_is_shortened;
-  bool m_has_settled = false; // no vertex has moved farther than the threshold
+  bool m_has_settled = false; // the vertices have not moved farther than the threshold
+  double m_displacement_along_normals = 0; // in the last iteration, root mean square
   Vertex_location_optimization_report m_report;
 };
 

@@ -26,18 +26,28 @@ class Normal_equations
   using Diagonalize_traits = Default_diagonalize_traits<double, 3>;
 
 public:
-  // A row: the surfaces agree in the direction `n` if the point that takes the part `lambda` in the displacement moves
-  // by `residual`.
-  void add_row(const double weight, const double lambda, const Vector& n, const double residual)
+  Normal_equations() = default;
+
+  // Those of a sample at the vertex: along `normal` it should move by `offset`, from the remesh to the reference. `area` is
+  // what the sample stands for. Reweighting makes the squares the power 3/2 of the distances, but for the smallest: that
+  // lowers the mean distance at the same regularity, as a few bad places count for less.
+  Normal_equations(const Vector& normal, const Vector& offset, const double area, const double mean_edge_length)
   {
-    const Vector m = (weight * lambda * lambda) * n;
-    m_H[0] += m.x() * n.x();
-    m_H[1] += m.x() * n.y();
-    m_H[2] += m.x() * n.z();
-    m_H[3] += m.y() * n.y();
-    m_H[4] += m.y() * n.z();
-    m_H[5] += m.z() * n.z();
-    m_g = m_g + (weight * lambda * residual) * n;
+    constexpr double smallest_residual = 0.001; // relative to the mean edge length
+    const double residual = normal * offset;
+    const double weight = area / std::sqrt(smallest_residual + std::abs(residual) / mean_edge_length);
+    const Vector m = weight * normal;
+    m_H = { m.x() * normal.x(), m.x() * normal.y(), m.x() * normal.z(),
+            m.y() * normal.y(), m.y() * normal.z(), m.z() * normal.z() };
+    m_g = residual * m;
+  }
+
+  // adds those of a sample of whose displacement the vertex makes the part `lambda`
+  void add(const Normal_equations& of_sample, const double lambda)
+  {
+    for(int k = 0; k < 6; ++k)
+      m_H[k] += lambda * lambda * of_sample.m_H[k];
+    m_g = m_g + lambda * of_sample.m_g;
   }
 
   Normal_equations& operator+=(const Normal_equations& other)
@@ -57,8 +67,8 @@ public:
     if(!Diagonalize_traits::diagonalize_selfadjoint_covariance_matrix(m_H, h, e) || !(h[2] > 0))
       return NULL_VECTOR;
 
-    // a direction about which the rows say a quarter of what they say about the best known one is not pulled
-    constexpr double softness = 4;
+    // a direction about which the rows say half of what they say about the best known one is not pulled
+    constexpr double softness = 2;
     Vector d = NULL_VECTOR;
     for(int k = 0; k < 3; ++k)
     {
@@ -85,49 +95,70 @@ std::array<Normal_equations, 3> face_equations(const Optimization_state<Foot>& s
                                                const double area)
 {
   const std::array<Point, 3> t = state.mesh.triangle(f);
+  const double length = state.mean_edge_length;
   std::array<Normal_equations, 3> equations;
   for(int k = 0; k < 3; ++k)
   {
     const int i = (k + 1) % 3, j = (k + 2) % 3;
     const Index e = state.mesh.face_edges[f][k];
-    const Vector& n = state.midpoint_samples.normals[e];
-    const double residual = n * (state.midpoint_samples.points[e] - midpoint(t[i], t[j]));
-    equations[i].add_row(area * 2 / 15, 0.5, n, residual);
-    equations[j].add_row(area * 2 / 15, 0.5, n, residual);
+    const Normal_equations of_midpoint(state.midpoint_samples.normals[e],
+                                       state.midpoint_samples.points[e] - midpoint(t[i], t[j]), area * 2 / 15, length);
+    equations[i].add(of_midpoint, 0.5);
+    equations[j].add(of_midpoint, 0.5);
   }
 
-  const Vector& n = state.barycenter_samples.normals[f];
-  const double residual = n * (state.barycenter_samples.points[f] - centroid(t[0], t[1], t[2]));
+  const Normal_equations of_barycenter(state.barycenter_samples.normals[f],
+                                       state.barycenter_samples.points[f] - centroid(t[0], t[1], t[2]),
+                                       area * 9 / 20, length);
   for(Normal_equations& of_corner : equations)
-    of_corner.add_row(area * 9 / 20, 1. / 3, n, residual);
+    of_corner.add(of_barycenter, 1. / 3);
 
   for(Index s = of_reference.first_of_face[f]; s < of_reference.first_of_face[f + 1]; ++s)
   {
     const Reference_sample& sample = of_reference.samples[of_reference.by_face[s]];
     const std::array<double, 3> lambda = sample.foot.coordinates.barycentric();
-    const Vector d = sample.point - point_at(t, sample.foot.coordinates);
+    const Vector offset = sample.point - point_at(t, sample.foot.coordinates);
     // inside the face the reference's normal, on its boundary the direction to the sample
     const bool is_inside = *std::min_element(lambda.begin(), lambda.end()) > 1e-12;
-    const Vector direction = is_inside ? Vector(NULL_VECTOR) : normalized(d);
-    const Vector& n_y = direction != NULL_VECTOR ? direction : sample.normal;
+    const Vector direction = is_inside ? Vector(NULL_VECTOR) : normalized(offset);
+    const Normal_equations of_sample(direction != NULL_VECTOR ? direction : sample.normal, offset,
+                                     of_reference.area, length);
     for(int k = 0; k < 3; ++k)
-      equations[k].add_row(of_reference.area, lambda[k], n_y, n_y * d);
+      equations[k].add(of_sample, lambda[k]);
   }
   return equations;
 }
 
-// From v to the apex of the equilateral triangle over the side pq, less the farther it is: what is far from regular
-// should come nearer, but need not get there.
-inline Vector pull_to_equilateral(const Point& v, const Point& p, const Point& q)
+// How far and where v should move for the triangle v, p, q to become more regular; `length` is that of the sides of the
+// triangles around. Two things are added: the way to the apex of the equilateral triangle over pq, less the farther it is
+// (what is far from regular should come nearer, but need not get there); and the direction in which the smallest angle
+// grows the fastest, or rather a mean of the three angles with weights that fall with the lengths of the opposite sides.
+inline Vector pull_to_regular(const Point& v, const Point& p, const Point& q, const double length)
 {
-  const Vector side = q - p;
-  const double length2 = side.squared_length();
-  if(!(length2 > 0))
+  constexpr double apex_part = 1. / 4, angle_part = 1. / 6; // with twice as much of the second the iterations do not settle
+
+  const Vector side = q - p, from_p = v - p, from_q = v - q;
+  const Vector normal = normalized(cross_product(side, from_p));
+  const std::array<double, 3> lengths2{ side.squared_length(), from_q.squared_length(), from_p.squared_length() };
+  const double shortest2 = *std::min_element(lengths2.begin(), lengths2.end());
+  if(normal == NULL_VECTOR || !(shortest2 > 0))
     return NULL_VECTOR;
-  const Vector from_middle = v - midpoint(p, q);
-  const Vector height = normalized(from_middle - ((from_middle * side) / length2) * side);
-  const Vector pull = std::sqrt(0.75 * length2) * height - from_middle;
-  return pull / (1 + 3 * norm(pull) / std::sqrt(length2));
+
+  const Vector to_apex = (std::sqrt(3.) / 2) * cross_product(normal, side) - (from_p + from_q) / 2;
+
+  std::array<double, 3> weights; // of the angles at v, p, q
+  double sum_of_weights = 0;
+  for(int k = 0; k < 3; ++k)
+  {
+    weights[k] = square(square(square(shortest2 / lengths2[k])));
+    sum_of_weights += weights[k];
+  }
+  // by the gradients of the angles at p and q; that at v shrinks by as much as they grow
+  const Vector gradient = ((weights[1] - weights[0]) / lengths2[2]) * cross_product(normal, from_p) -
+                          ((weights[2] - weights[0]) / lengths2[1]) * cross_product(normal, from_q);
+
+  return (apex_part / (1 + 3 * norm(to_apex) / std::sqrt(lengths2[0]))) * to_apex +
+         (angle_part * square(length) / sum_of_weights) * gradient;
 }
 
 // Moves each free vertex towards the least squares fit of its faces to the samples of both surfaces, its neighbors held
@@ -138,9 +169,10 @@ void fit_least_squares(Optimization_state<Foot>& state,
                        const Samples_of_reference& of_reference,
                        const double regularity_weight)
 {
-  constexpr double relaxation = 0.7, momentum = 0.5, max_step = 0.25; // max_step relative to the mean edge length
+  constexpr double relaxation = 1.4, momentum = 0.5, max_step = 0.25; // max_step relative to the mean edge length
 
   const Mesh_arrays& mesh = state.mesh;
+  const double equilateral_area = std::sqrt(3.) / 4 * square(state.mean_edge_length);
   std::vector<double> areas(mesh.faces.size());
   std::vector<std::array<Normal_equations, 3>> of_faces(mesh.faces.size());
   for_each_index<ConcurrencyTag>(of_faces.size(), [&](std::size_t f)
@@ -157,24 +189,32 @@ void fit_least_squares(Optimization_state<Foot>& state,
     if(!state.is_free(i))
       return;
 
-    Normal_equations equations;
     double area = 0;
-    Vector pull = NULL_VECTOR;
     std::size_t number_of_faces = 0;
     state.for_each_corner(i, [&](Index c)
     {
-      equations += of_faces[c / 3][c % 3];
-      pull = pull + pull_to_equilateral(v, mesh.points[mesh.vertex(Mesh_arrays::next(c))],
-                                        mesh.points[mesh.vertex(Mesh_arrays::previous(c))]);
       area += areas[c / 3];
       ++number_of_faces;
     });
-    const Vector& n = state.vertex_samples.normals[i];
-    equations.add_row(area / 20, 1, n, n * (state.vertex_samples.points[i] - v));
-    if(!(area > 0) || norm(equations.right_hand_side()) <= 1e-9 * area * state.mean_edge_length)
+    if(!(area > 0))
       return;
 
-    const Vector d = equations.solve(pull / (2. * number_of_faces), regularity_weight * area / 2, 1e-9 * area);
+    Normal_equations equations(state.vertex_samples.normals[i], state.vertex_samples.points[i] - v,
+                               area / 20, state.mean_edge_length);
+    Vector pull = NULL_VECTOR;
+    const double side = std::sqrt(area / number_of_faces * 4 / std::sqrt(3.)); // if the faces were equilateral
+    state.for_each_corner(i, [&](Index c)
+    {
+      equations += of_faces[c / 3][c % 3];
+      pull = pull + pull_to_regular(v, mesh.points[mesh.vertex(Mesh_arrays::next(c))],
+                                    mesh.points[mesh.vertex(Mesh_arrays::previous(c))], side);
+    });
+    if(norm(equations.right_hand_side()) <= 1e-9 * area * state.mean_edge_length)
+      return;
+
+    // all faces weigh the same here, as in the mean of their angles
+    const double pull_weight = regularity_weight * number_of_faces * equilateral_area;
+    const Vector d = equations.solve(pull / number_of_faces, pull_weight, 1e-9 * area);
     const Vector step = relaxation * d + momentum * last_step;
     const double length = norm(step), limit = max_step * state.mean_edge_length;
     state.targets[i] = v + (length > limit ? (limit / length) * step : step);

@@ -103,18 +103,45 @@ private:
   bool m_is_strict = false;
 };
 
-// Halves the moves of the vertices of faces that intersect and did not in the remesh; returns whether there were any.
+// Finds the pairs of faces that intersect with the targets and do not in the remesh.
+template <typename FindSelfIntersections>
+class Find_new_intersections
+{
+  using Face_pairs = std::vector<typename FindSelfIntersections::Face_pair>;
+
+public:
+  explicit Find_new_intersections(const FindSelfIntersections& find) : m_find(find) {}
+
+  template <typename Foot>
+  Face_pairs operator()(const Optimization_state<Foot>& state)
+  {
+    const Face_pairs of_targets = m_find(state.targets);
+    if(of_targets.empty())
+      return {};
+    if(!m_knows_remesh)
+      m_of_remesh = m_find(state.initial_points);
+    m_knows_remesh = true;
+    Face_pairs result;
+    std::set_difference(of_targets.begin(), of_targets.end(), m_of_remesh.begin(), m_of_remesh.end(),
+                        std::back_inserter(result));
+    return result;
+  }
+
+private:
+  const FindSelfIntersections& m_find;
+  bool m_knows_remesh = false; // it is tested only where the targets have any
+  Face_pairs m_of_remesh;
+};
+
+// Halves the moves of the vertices of these pairs of faces; returns whether there were any.
 template <typename Foot, typename FacePairs>
 bool separate_faces(Optimization_state<Foot>& state,
-                    const FacePairs& of_remesh,
-                    const FacePairs& of_targets,
+                    const FacePairs& pairs,
                     std::vector<int>& number_of_halvings,
                     std::vector<char>& is_shortened)
 {
   constexpr int max_halvings = 6;
 
-  FacePairs pairs;
-  std::set_difference(of_targets.begin(), of_targets.end(), of_remesh.begin(), of_remesh.end(), std::back_inserter(pairs));
   std::set<Index> vertices;
   for(const auto& pair : pairs)
     for(Index f : { pair.first, pair.second })
@@ -145,7 +172,7 @@ void take_back_harm(Harm_criterion<ReferenceSurface>& criterion,
                     const FindSelfIntersections& find_self_intersections,
                     std::vector<char>& is_shortened)
 {
-  const auto intersections_of_remesh = find_self_intersections(state.initial_points);
+  Find_new_intersections<FindSelfIntersections> find_new_intersections(find_self_intersections);
 
   state.targets = state.mesh.points;
   std::vector<int> number_of_halvings(state.targets.size(), 0);
@@ -172,8 +199,7 @@ void take_back_harm(Harm_criterion<ReferenceSurface>& criterion,
       }
       criterion.make_strict();
     }
-    else if(!separate_faces(state, intersections_of_remesh, find_self_intersections(state.targets),
-                            number_of_halvings, is_shortened))
+    else if(!separate_faces(state, find_new_intersections(state), number_of_halvings, is_shortened))
       break;
   }
   state.mesh.points = state.targets;

@@ -107,6 +107,14 @@ private:
 
   bool is_least_squares() const { return m_options.placement_method == LEAST_SQUARES; }
   bool is_first() const { return m_report.iterations == 0; }
+
+  // The smaller the error of the remesh, the less of it is given for regularity. 6% of the edge length is a large one.
+  double relative_regularity_weight() const
+  {
+    const double large_error = 0.06 * m_state.mean_edge_length;
+    return m_options.regularity_weight * std::sqrt(m_harm_criterion.mean_of_remesh() / large_error);
+  }
+
   bool is_last() const { return m_has_settled || m_report.iterations + 1 == m_options.number_of_iterations; }
 
   // vertices move freely; later only along the normal
@@ -156,7 +164,7 @@ private:
   void fit()
   {
     if(is_least_squares())
-      fit_least_squares<ConcurrencyTag>(m_state, m_of_reference, m_options.regularity_weight);
+      fit_least_squares<ConcurrencyTag>(m_state, m_of_reference, relative_regularity_weight());
     else
       fit_piecewise_linear<ConcurrencyTag>(m_state, !is_free());
     m_feature_edges.fit<ConcurrencyTag>(m_state, !is_free());

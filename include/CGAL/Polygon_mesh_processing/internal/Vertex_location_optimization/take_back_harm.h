@@ -54,6 +54,8 @@ public:
     m_error.free_memory();
   }
 
+  double mean_of_remesh() const { return m_mean_of_remesh; }
+
   // measures the targets
   template <typename ConcurrencyTag>
   void measure_targets()

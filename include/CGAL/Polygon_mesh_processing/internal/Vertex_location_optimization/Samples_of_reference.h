@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -143,12 +144,10 @@ void find_closest_faces(const Optimization_state<Foot>& state, Samples_of_refere
   group_by_face(mesh.faces.size(), of_reference);
   std::vector<Reference_sample> in_order;
   in_order.reserve(samples.size());
-  for(Index& i : of_reference.by_face)
-  {
+  for(Index i : of_reference.by_face)
     in_order.push_back(samples[i]);
-    i = static_cast<Index>(in_order.size() - 1);
-  }
   samples.swap(in_order);
+  std::iota(of_reference.by_face.begin(), of_reference.by_face.end(), Index(0));
 }
 
 // Finds them from the last closest points, but keeps those of faces whose vertices have gone no farther than `tolerance`.

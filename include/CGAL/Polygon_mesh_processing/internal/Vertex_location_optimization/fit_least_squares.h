@@ -189,28 +189,27 @@ void fit_least_squares(Optimization_state<Foot>& state,
     if(!state.is_free(i))
       return;
 
+    Normal_equations equations;
     double area = 0;
     std::size_t number_of_faces = 0;
     state.for_each_corner(i, [&](Index c)
     {
+      equations += of_faces[c / 3][c % 3];
       area += areas[c / 3];
       ++number_of_faces;
     });
-    if(!(area > 0))
+    equations += Normal_equations(state.vertex_samples.normals[i], state.vertex_samples.points[i] - v,
+                                  area / 20, state.mean_edge_length);
+    if(!(area > 0) || norm(equations.right_hand_side()) <= 1e-9 * area * state.mean_edge_length)
       return;
 
-    Normal_equations equations(state.vertex_samples.normals[i], state.vertex_samples.points[i] - v,
-                               area / 20, state.mean_edge_length);
     Vector pull = NULL_VECTOR;
     const double side = std::sqrt(area / number_of_faces * 4 / std::sqrt(3.)); // if the faces were equilateral
     state.for_each_corner(i, [&](Index c)
     {
-      equations += of_faces[c / 3][c % 3];
       pull = pull + pull_to_regular(v, mesh.points[mesh.vertex(Mesh_arrays::next(c))],
                                     mesh.points[mesh.vertex(Mesh_arrays::previous(c))], side);
     });
-    if(norm(equations.right_hand_side()) <= 1e-9 * area * state.mean_edge_length)
-      return;
 
     // all faces weigh the same here, as in the mean of their angles
     const double pull_weight = regularity_weight * number_of_faces * equilateral_area;

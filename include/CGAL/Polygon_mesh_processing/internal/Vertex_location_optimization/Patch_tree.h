@@ -33,10 +33,10 @@ struct Patch_foot
 template <typename Box>
 double squared_distance_to_box(const Point& p, const Box& box)
 {
-  const auto outside = [](double x, double min, double max) { return (std::max)((std::max)(min - x, x - max), 0.); };
-  return square(outside(p.x(), box.xmin(), box.xmax())) +
-         square(outside(p.y(), box.ymin(), box.ymax())) +
-         square(outside(p.z(), box.zmin(), box.zmax()));
+  const auto to_slab = [](double x, double min, double max) { return x - (std::min)((std::max)(x, min), max); };
+  return square(to_slab(p.x(), box.xmin(), box.xmax())) +
+         square(to_slab(p.y(), box.ymin(), box.ymax())) +
+         square(to_slab(p.z(), box.zmin(), box.zmax()));
 }
 
 // Patches (see `Flat_triangle`) in an AABB tree, for closest points.

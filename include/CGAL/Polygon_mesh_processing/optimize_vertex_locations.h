@@ -239,6 +239,8 @@ optimize_vertex_locations(TriangleMesh& tmesh,
   Mesh_descriptors<TriangleMesh> descriptors;
   Mesh_arrays mesh = make_mesh_arrays(tmesh, vpm, descriptors);
   Constraints constraints = read_constraints(mesh, descriptors, np1);
+  release(mesh.edge_corners); // what they and the edges are needed for is in the constraints
+  release(descriptors.edges);
 
   auto is_allowed = choose_parameter(get_parameter(np1, internal_np::allow_move_functor), Allow_all_moves());
   const auto allow_move = [&](std::size_t i, const Point& source, const Point& target)
@@ -246,9 +248,12 @@ optimize_vertex_locations(TriangleMesh& tmesh,
     return is_allowed(descriptors.vertices[i], convert<Point_3>(source), convert<Point_3>(target));
   };
 
-  const Self_intersection_test<ConcurrencyTag, TriangleMesh> find_self_intersections(
-    tmesh, descriptors, choose_parameter(get_parameter(np1, internal_np::do_self_intersection_tests),
-                                         options.placement_method == LEAST_SQUARES));
+  const bool do_self_intersection_tests =
+    choose_parameter(get_parameter(np1, internal_np::do_self_intersection_tests), options.placement_method == LEAST_SQUARES);
+  if(!do_self_intersection_tests)
+    release(descriptors.halfedges);
+  const Self_intersection_test<ConcurrencyTag, TriangleMesh> find_self_intersections(tmesh, descriptors,
+                                                                                     do_self_intersection_tests);
 
   auto visitor_or_reference = choose_parameter(get_parameter(np1, internal_np::visitor),
                                                Vertex_location_optimization_default_visitor());
@@ -263,7 +268,7 @@ optimize_vertex_locations(TriangleMesh& tmesh,
 
     using Surface = std::decay_t<decltype(surface)>;
     Optimization_state<typename Surface::Foot> state(std::move(mesh), std::move(constraints),
-                                                           options.placement_method == LEAST_SQUARES);
+                                                           options.placement_method);
     const auto report = optimize<ConcurrencyTag>(state, surface, options, allow_move, find_self_intersections, visitor);
 
     for(std::size_t i = 0; i < state.mesh.points.size(); ++i)

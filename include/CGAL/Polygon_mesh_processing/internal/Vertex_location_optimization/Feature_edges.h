@@ -58,13 +58,16 @@ public:
       Feature_edge& edge = m_edges[k];
       find_midpoint_foot(mesh, edge);
       if(edge.has_foot)
-        state.midpoint_samples.points[edge.edge] = m_curves.point(edge.midpoint_foot);
+        state.midpoint_samples.set_offset(edge.edge, m_curves.point(edge.midpoint_foot) - mesh.midpoint(edge.edge));
     });
     // one thread: edges share vertices
     for(const Feature_edge& edge : m_edges)
       if(edge.has_foot)
         for(Index i : mesh.edges[edge.edge])
-          state.vertex_samples.points[i] = m_curves.point(m_curves.project_along(mesh.points[i], edge.midpoint_foot));
+        {
+          const Feature_curves::Foot foot = m_curves.project_along(mesh.points[i], edge.midpoint_foot);
+          state.vertex_samples.set_offset(i, m_curves.point(foot) - mesh.points[i]);
+        }
   }
 
   // The fit along the curves: the best line through a parabola, p_i,e = (2 p_i - p_j + 2 m_ij) / 3, weighted by the

@@ -9,7 +9,11 @@
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/for_each_index.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Mesh_arrays.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference_samples.h>
+#include <CGAL/Polygon_mesh_processing/Placement_method.h>
 
+#include <CGAL/Bbox_3.h>
+
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -37,12 +41,12 @@ struct Constraints
 template <typename Foot>
 struct Optimization_state
 {
-  Optimization_state(Mesh_arrays mesh_arrays, Constraints c, const bool has_barycenter_samples)
+  Optimization_state(Mesh_arrays mesh_arrays, Constraints c, const Placement_method method)
     : mesh(std::move(mesh_arrays)), constraints(std::move(c)), initial_points(mesh.points), targets(mesh.points),
-      vertex_samples(mesh.points.size()), midpoint_samples(mesh.edges.size()),
-      barycenter_samples(has_barycenter_samples ? mesh.faces.size() : 0)
+      vertex_samples(mesh.points.size(), unit(), true),
+      midpoint_samples(mesh.edges.size(), unit(), method == LEAST_SQUARES),
+      barycenter_samples(method == LEAST_SQUARES ? mesh.faces.size() : 0, unit(), true)
   {
-    std::vector<std::array<Index, 2>>().swap(mesh.edge_corners); // what they are needed for is in the constraints
     group_corners_by_vertex();
 
     double area = 0, length = 0;
@@ -79,13 +83,23 @@ struct Optimization_state
   std::vector<Point> targets;               // p^_i, which become the points of M_t+1; before they are set, M_t-1
 
   Reference_samples<Foot> vertex_samples;     // p_i and n_i
-  Reference_samples<Foot> midpoint_samples;   // m_ij
+  Reference_samples<Foot> midpoint_samples;   // m_ij, with normals if the fit takes them
   Reference_samples<Foot> barycenter_samples; // empty if the fit takes none
 
   double spring_length = 0;                 // sigma of (3)
   double mean_edge_length = 0;              // of M_0
 
 private:
+  // the longest side of the bounding box
+  double unit() const
+  {
+    if(mesh.points.empty())
+      return 1;
+    const Bbox_3 box = bbox_3(mesh.points.begin(), mesh.points.end());
+    const double side = (std::max)({ box.x_span(), box.y_span(), box.z_span() });
+    return side > 0 ? side : 1;
+  }
+
   void group_corners_by_vertex()
   {
     first_corner.assign(mesh.points.size() + 1, 0);

@@ -58,6 +58,9 @@ public:
   // the closest point near `hint`, see `Reference_patches::walk()`; not part of the concept
   Foot project_near(const Point_3& query, const Foot& hint) const { return m_patches.walk(convert<Point>(query), hint); }
 
+  // asks for what `project_near()` reads, to be called some time before it; not part of the concept
+  void prefetch(const Foot& hint) const { m_patches.prefetch(hint); }
+
   // The feet that are the same point: where it is on an edge or a vertex they have the normals of the faces around it.
   // Not part of the concept.
   Coinciding_feet coinciding_feet(const Foot& foot) const { return m_patches.coinciding_feet(foot); }

@@ -6,7 +6,8 @@
 #ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_REFERENCE_SAMPLES_H
 #define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_REFERENCE_SAMPLES_H
 
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/geometry.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/for_each_index.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Patch_tree.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -39,6 +40,14 @@ project_near(const ReferenceSurface& reference, const Point& query, const typena
     return reference.project(q, hint);
 }
 
+// asks for what the above reads first
+template <typename ReferenceSurface>
+void prefetch_near(const ReferenceSurface& reference, const typename ReferenceSurface::Foot& hint)
+{
+  if constexpr(Can_project_near<ReferenceSurface>::value)
+    reference.prefetch(hint);
+}
+
 // When a foot is computed anew.
 struct Sampling_tolerance
 {
@@ -47,14 +56,47 @@ struct Sampling_tolerance
   bool slides;     // whether it moves along with its query in the tangent plane until then
 };
 
-// The points and normals of the reference at the feet of queries, which move from iteration to iteration.
+template <typename Foot>
+struct Compact_foot
+{
+  using type = Foot;
+};
+
+template <>
+struct Compact_foot<Patch_foot>
+{
+  using type = Compact_patch_foot;
+};
+
+// The points and normals of the reference at the feet of queries, which move from iteration to iteration. There are four
+// samples a vertex, and they make most of the memory: what need not be exact is kept in less.
 template <typename Foot>
 class Reference_samples
 {
 public:
-  explicit Reference_samples(std::size_t n)
-    : points(n), normals(n, NULL_VECTOR), feet(n), m_distance_bounds(n, 0), m_paths(n, 0)
+  // `unit` is a length of the size of the mesh; it keeps lengths in the range of single precision
+  Reference_samples(const std::size_t n, const double unit, const bool has_normals)
+    : m_unit(unit), m_offsets(n, NULL_VECTOR), m_normals(has_normals ? n : 0, NULL_VECTOR), m_feet(n),
+      m_distance_bounds(n, 0), m_paths(n, 0)
   {}
+
+  std::size_t size() const { return m_feet.size(); }
+  bool empty() const { return m_feet.empty(); }
+
+  const Vector& offset(std::size_t i) const { return m_offsets[i]; } // from the query to the point
+  const Vector& normal(std::size_t i) const { return m_normals[i]; } // unit or null
+  Foot foot(std::size_t i) const { return m_feet[i]; } // where the point is, or was before it moved in the tangent plane
+
+  // keeps the offsets and feet alone
+  void end_updates()
+  {
+    release(m_normals);
+    release(m_distance_bounds);
+    release(m_paths);
+  }
+
+  // moves the point of sample i off its foot
+  void set_offset(std::size_t i, const Vector& offset) { m_offsets[i] = offset; }
 
   // takes sample i at the closest point to `query`; `hint` is the foot of a point nearby
   template <typename ReferenceSurface, typename... Hint>
@@ -67,53 +109,60 @@ public:
   template <typename ReferenceSurface>
   void set_closest(std::size_t i, const ReferenceSurface& reference, const Point& query, const Foot& foot)
   {
-    set(i, reference, foot);
-    m_distance_bounds[i] = norm(points[i] - query);
-    m_paths[i] = 0;
+    set(i, reference, query, foot);
+    m_distance_bounds[i] = static_cast<float>(norm(offset(i)) / m_unit);
   }
 
-  // Moves sample i to the foot of `query`, which has moved by `displacement`: to where walking from the last foot leads. The
-  // tree is asked only if that point may be farther away than the closest one by more than the tolerance. The distance of a
-  // query to the reference changes by no more than the query moves: what it was when the tree was asked last, less the
-  // displacements since, is a lower bound.
-  template <typename ReferenceSurface>
-  void update(std::size_t i,
-              const ReferenceSurface& reference,
-              const Sampling_tolerance& tolerance,
-              const Point& query,
-              const Vector& displacement)
+  // Tells sample i that its query has moved by `displacement`; returns whether the foot must be computed anew, with
+  // `update()`. For a sample without a normal `off_tangent_plane` says what part of the displacement is off the tangent plane.
+  bool move(std::size_t i,
+            const Sampling_tolerance& tolerance,
+            const Vector& displacement,
+            const Vector& off_tangent_plane)
   {
-    const double length = norm(displacement);
-    m_distance_bounds[i] = (std::max)(0., m_distance_bounds[i] - length);
+    const float length = static_cast<float>(norm(displacement) / m_unit);
+    m_distance_bounds[i] = (std::max)(0.f, m_distance_bounds[i] - length);
     m_paths[i] += length;
-    if(m_paths[i] <= tolerance.path)
-    {
-      if(tolerance.slides)
-        points[i] = points[i] + (displacement - (displacement * normals[i]) * normals[i]);
-      return;
-    }
+    if(m_paths[i] * m_unit > tolerance.path)
+      return true;
 
-    set(i, reference, project_near(reference, query, feet[i]));
-    m_paths[i] = 0;
-    if(!(norm(points[i] - query) <= m_distance_bounds[i] + tolerance.distance))
-      project(i, reference, query, feet[i]);
+    if(!tolerance.slides)
+      m_offsets[i] = m_offsets[i] - displacement;
+    else if(m_normals.empty())
+      m_offsets[i] = m_offsets[i] - off_tangent_plane;
+    else
+      m_offsets[i] = m_offsets[i] - (displacement * normal(i)) * normal(i);
+    return false;
   }
 
-  std::vector<Point> points;
-  std::vector<Vector> normals; // unit or null
-  std::vector<Foot> feet;      // where the points are, or were before they moved in the tangent plane
+  // Moves sample i to the foot of `query`: to where walking from the last foot leads. The tree is asked only if that point
+  // may be farther away than the closest one by more than the tolerance. The distance of a query to the reference changes by
+  // no more than the query moves: what it was when the tree was asked last, less the displacements since, is a lower bound.
+  template <typename ReferenceSurface>
+  void update(std::size_t i, const ReferenceSurface& reference, const Sampling_tolerance& tolerance, const Point& query)
+  {
+    set(i, reference, query, project_near(reference, query, foot(i)));
+    if(!(norm(offset(i)) <= m_distance_bounds[i] * m_unit + tolerance.distance))
+      project(i, reference, query, foot(i));
+  }
 
 private:
   template <typename ReferenceSurface>
-  void set(std::size_t i, const ReferenceSurface& reference, const Foot& foot)
+  void set(std::size_t i, const ReferenceSurface& reference, const Point& query, const Foot& foot)
   {
-    feet[i] = foot;
-    points[i] = convert<Point>(reference.point(foot));
-    normals[i] = convert<Vector>(reference.normal(foot));
+    m_offsets[i] = convert<Point>(reference.point(foot)) - query;
+    if(!m_normals.empty())
+      m_normals[i] = convert<Vector>(reference.normal(foot));
+    m_feet[i] = foot;
+    m_paths[i] = 0;
   }
 
-  std::vector<double> m_distance_bounds; // from the queries to the reference
-  std::vector<double> m_paths;           // of the queries since their feet were computed
+  double m_unit;
+  std::vector<Vector> m_offsets;
+  std::vector<Vector> m_normals;
+  std::vector<typename Compact_foot<Foot>::type> m_feet;
+  std::vector<float> m_distance_bounds; // from the queries to the reference, in units
+  std::vector<float> m_paths;           // of the queries since their feet were computed, in units
 };
 
 } // namespace vertex_location

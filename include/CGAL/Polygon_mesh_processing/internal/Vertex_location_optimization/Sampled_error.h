@@ -39,8 +39,9 @@ enum class Opposition : char
   ALL
 };
 
-// The distance to the reference of the surface of the remesh or of the targets, sampled at the vertices, the midpoints of
-// the edges and the barycenters of the faces. With the weights 1/20, 2/15 and 9/20 these points integrate cubics exactly.
+// The distance to the reference of the surface of the remesh, or of that with its vertices elsewhere, sampled at the
+// vertices, the midpoints of the edges and the barycenters of the faces. With the weights 1/20, 2/15 and 9/20 these points
+// integrate cubics exactly.
 template <typename ReferenceSurface>
 class Sampled_error
 {
@@ -49,38 +50,26 @@ class Sampled_error
   using State = Optimization_state<Foot>;
 
 public:
-  Sampled_error(const ReferenceSurface& reference, const State& state) : m_reference(reference), m_state(state)
+  // `points` are where the vertices are
+  Sampled_error(const ReferenceSurface& reference, const State& state, const std::vector<Point>& points)
+    : m_reference(reference), m_state(state), m_points(points)
   {
-    allocate();
+    allocate_at_barycenters();
   }
 
   // Takes the distance at the barycenter of face f, of which this is the foot.
   void set_barycenter(std::size_t f, const Foot& foot)
   {
     const std::array<Point, 3> t = triangle(f);
-    m_at_barycenter[f] = distance_to_foot(point_at(t, Coordinates()), foot);
+    m_at_barycenter[f] = distance_to_foot(barycenter(f), foot);
     m_opposition[f] = opposition_at(foot, area_normal(t[0], t[1], t[2]));
   }
 
-  // Takes the distances at the vertices and midpoints from the state, which has sampled the targets.
+  // Takes samples. Each distance is that to the point where walking from the foot of the last iteration leads, or to the
+  // sample of the last iteration if the query has hardly moved since; rather more than less. Until then the samples at the
+  // vertices and midpoints are those of the state.
   template <typename ConcurrencyTag>
-  void take_samples_of_state()
-  {
-    const Mesh_arrays& mesh = m_state.mesh;
-    for_each_index<ConcurrencyTag>(m_at_vertex.size(), [&](std::size_t i)
-    {
-      m_at_vertex[i] = norm(mesh.points[i] - m_state.vertex_samples.points[i]);
-    });
-    for_each_index<ConcurrencyTag>(m_at_midpoint.size(), [&](std::size_t e)
-    {
-      m_at_midpoint[e] = norm(mesh.midpoint(e) - m_state.midpoint_samples.points[e]);
-    });
-  }
-
-  // Samples the targets. Each distance is that to the point where walking from the feet of the last iteration leads, rather
-  // more than less.
-  template <typename ConcurrencyTag>
-  void sample_targets()
+  void sample()
   {
     allocate();
     for_each_element<ConcurrencyTag>(m_state.mesh,
@@ -89,14 +78,25 @@ public:
       [&](std::size_t f) { sample_barycenter(f); });
   }
 
+  // takes samples at the closest points
+  template <typename ConcurrencyTag>
+  void sample_exactly()
+  {
+    allocate();
+    for_each_element<ConcurrencyTag>(m_state.mesh,
+      [&](std::size_t i) { m_at_vertex[i] = distance(m_points[i], m_state.vertex_samples.foot(i)); },
+      [&](std::size_t e) { m_at_midpoint[e] = distance(midpoint_of_edge(e), m_state.midpoint_samples.foot(e)); },
+      [&](std::size_t f) { set_barycenter(f, m_reference.project(convert<Reference_point>(barycenter(f)), hint_near(f))); });
+  }
+
   // the samples are not needed until they are taken again
   void free_memory()
   {
-    for(std::vector<double>* samples : { &m_at_vertex, &m_at_midpoint, &m_at_barycenter })
-      std::vector<double>().swap(*samples);
+    release(m_at_barycenter);
+    release(m_opposition);
   }
 
-  // samples anew what has changed with the target of vertex i
+  // samples anew what has changed with vertex i
   void update(std::size_t i)
   {
     sample_vertex(i);
@@ -120,8 +120,8 @@ public:
     double at_vertices = 0, at_midpoints = 0;
     for(int k = 0; k < 3; ++k)
     {
-      at_vertices += m_at_vertex[m_state.mesh.faces[f][k]];
-      at_midpoints += m_at_midpoint[m_state.mesh.face_edges[f][k]];
+      at_vertices += at_vertex(m_state.mesh.faces[f][k]);
+      at_midpoints += at_midpoint(m_state.mesh.face_edges[f][k]);
     }
     return area(f) * (at_vertices / 20 + at_midpoints * 2 / 15 + m_at_barycenter[f] * 9 / 20);
   }
@@ -149,7 +149,7 @@ public:
     });
     double result = 0;
     for(auto f = faces.begin(); f != end && sampled_maximum(*f) > near * result; ++f)
-      result = (std::max)(result, lattice_maximum(*f, m_state.targets).first);
+      result = (std::max)(result, lattice_maximum(*f, m_points).first);
     return result;
   }
 
@@ -158,9 +158,9 @@ public:
   bool has_grown(std::size_t f) const
   {
     constexpr double margin = 0.995; // for what they miss
-    if(lattice_maximum(f, m_state.targets).first > lattice_maximum(f, m_state.initial_points).first)
+    if(lattice_maximum(f, m_points).first > lattice_maximum(f, m_state.initial_points).first)
       return true;
-    const auto [distance, x] = climb_to_maximum(f, m_state.targets);
+    const auto [distance, x] = climb_to_maximum(f, m_points);
     const double distance_in_remesh = climb_to_maximum(f, m_state.initial_points).first;
     return distance > distance_in_remesh ||
            (distance > margin * distance_in_remesh &&
@@ -180,30 +180,55 @@ public:
     if(!(sampled >= near * threshold))
       return sampled;
     if(sampled < nearer * threshold &&
-       lattice_maximum(f, m_state.targets, 4, &Sampled_error::distance_near).first < nearer * threshold)
+       lattice_maximum(f, m_points, 4, &Sampled_error::distance_near).first < nearer * threshold)
       return sampled;
-    const double result = (std::max)(sampled, climb_to_maximum(f, m_state.targets).first);
+    const double result = (std::max)(sampled, climb_to_maximum(f, m_points).first);
     if(result >= nearest * threshold && result <= threshold)
-      return (std::max)(result, climb_to_maximum(f, m_state.targets, 24).first);
+      return (std::max)(result, climb_to_maximum(f, m_points, 24).first);
     return result;
   }
 
 private:
+  double at_vertex(std::size_t i) const
+  {
+    return m_at_vertex.empty() ? norm(m_state.vertex_samples.offset(i)) : m_at_vertex[i];
+  }
+
+  double at_midpoint(std::size_t e) const
+  {
+    return m_at_midpoint.empty() ? norm(m_state.midpoint_samples.offset(e)) : m_at_midpoint[e];
+  }
+
   void allocate()
   {
     m_at_vertex.resize(m_state.mesh.points.size());
     m_at_midpoint.resize(m_state.mesh.edges.size());
+    allocate_at_barycenters();
+  }
+
+  void allocate_at_barycenters()
+  {
     m_at_barycenter.resize(m_state.mesh.faces.size());
     m_opposition.resize(m_state.mesh.faces.size());
   }
 
-  std::array<Point, 3> triangle(std::size_t f) const { return m_state.mesh.triangle(f, m_state.targets); }
+  std::array<Point, 3> triangle(std::size_t f) const { return m_state.mesh.triangle(f, m_points); }
+  Point barycenter(std::size_t f) const { return point_at(triangle(f), Coordinates()); }
+
+  Point midpoint_of_edge(std::size_t e) const
+  {
+    const std::array<Index, 2>& ends = m_state.mesh.edges[e];
+    return midpoint(m_points[ends[0]], m_points[ends[1]]);
+  }
+
+  // a foot near the barycenter of face f
+  Foot hint_near(std::size_t f) const { return m_state.midpoint_samples.foot(m_state.mesh.edge_at_first_vertex(f)); }
 
   double sampled_maximum(std::size_t f) const
   {
     double result = m_at_barycenter[f];
     for(int k = 0; k < 3; ++k)
-      result = (std::max)({ result, m_at_vertex[m_state.mesh.faces[f][k]], m_at_midpoint[m_state.mesh.face_edges[f][k]] });
+      result = (std::max)({ result, at_vertex(m_state.mesh.faces[f][k]), at_midpoint(m_state.mesh.face_edges[f][k]) });
     return result;
   }
 
@@ -220,7 +245,7 @@ private:
       for(int j = 0; j <= level - i; ++j)
       {
         const Coordinates x{ double(i) / level, double(j) / level };
-        const double d = (this->*distance)(point_at(t, x), m_state.vertex_samples.feet[m_state.mesh.faces[f][0]]);
+        const double d = (this->*distance)(point_at(t, x), m_state.vertex_samples.foot(m_state.mesh.faces[f][0]));
         if(d > best.first)
           best = { d, x };
       }
@@ -243,7 +268,7 @@ private:
         const Coordinates x{ center.u + step * u, center.v + step * v };
         if(x.u < 0 || x.v < 0 || x.u + x.v > 1)
           continue;
-        const double d = distance(point_at(t, x), m_state.vertex_samples.feet[m_state.mesh.faces[f][0]]);
+        const double d = distance(point_at(t, x), m_state.vertex_samples.foot(m_state.mesh.faces[f][0]));
         if(d > result)
         {
           result = d;
@@ -271,21 +296,32 @@ private:
 
   void sample_vertex(std::size_t i)
   {
-    m_at_vertex[i] = distance_near(m_state.targets[i], m_state.vertex_samples.feet[i]);
+    m_at_vertex[i] = distance_to_sample(m_points[i], m_state.mesh.points[i], m_state.vertex_samples, i);
   }
 
   void sample_midpoint(std::size_t e)
   {
-    const std::array<Index, 2>& v = m_state.mesh.edges[e];
-    m_at_midpoint[e] = distance_near(midpoint(m_state.targets[v[0]], m_state.targets[v[1]]),
-                                     m_state.midpoint_samples.feet[e]);
+    m_at_midpoint[e] = distance_to_sample(midpoint_of_edge(e), m_state.mesh.midpoint(e), m_state.midpoint_samples, e);
+  }
+
+  // The distance of `p`, which was at `query` when sample i was taken.
+  double distance_to_sample(const Point& p, const Point& query, const Reference_samples<Foot>& samples, std::size_t i) const
+  {
+    constexpr double beside = 1e-3; // relative to the mean edge length
+    if(squared_distance(p, query) <= square(beside * m_state.mean_edge_length))
+      return norm(samples.offset(i) - (p - query));
+    return distance_near(p, samples.foot(i));
   }
 
   void sample_barycenter(std::size_t f)
   {
+    constexpr std::size_t ahead = 8;
+    if(f + ahead < m_state.mesh.faces.size())
+      prefetch_near(m_reference, hint_near(f + ahead));
+
     constexpr double near = 0.1; // relative to the mean edge length; other sheets are thought to be farther away
-    const Point p = point_at(triangle(f), Coordinates());
-    const Foot foot = project_near(m_reference, p, m_state.midpoint_samples.feet[m_state.mesh.edge_at_first_vertex(f)]);
+    const Point p = barycenter(f);
+    const Foot foot = project_near(m_reference, p, hint_near(f));
     set_barycenter(f, foot);
     if(m_opposition[f] != Opposition::NONE || m_at_barycenter[f] > near * m_state.mean_edge_length)
       set_barycenter(f, m_reference.project(convert<Reference_point>(p), foot));
@@ -306,7 +342,9 @@ private:
 
   const ReferenceSurface& m_reference;
   const State& m_state;
-  std::vector<double> m_at_vertex, m_at_midpoint, m_at_barycenter;
+  const std::vector<Point>& m_points;
+  std::vector<double> m_at_vertex, m_at_midpoint; // empty: those of the state
+  std::vector<double> m_at_barycenter;
   std::vector<Opposition> m_opposition;
 };
 

@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -116,6 +115,28 @@ inline void group_by_face(const std::size_t number_of_faces, Samples_of_referenc
     of_reference.by_face[end[samples[i].foot.patch]++] = i;
 }
 
+// Puts the samples, which are grouped by face, in the order of the faces, as most of them stay with their faces. In place:
+// there are many.
+inline void sort_by_face(Samples_of_reference& of_reference)
+{
+  std::vector<Reference_sample>& samples = of_reference.samples;
+  std::vector<Index>& by_face = of_reference.by_face;
+  for(Index first = 0; first < samples.size(); ++first)
+  {
+    // along a cycle of the permutation
+    const Reference_sample first_sample = samples[first];
+    Index i = first;
+    for(Index next = by_face[i]; next != first; next = by_face[i])
+    {
+      samples[i] = samples[next];
+      by_face[i] = i;
+      i = next;
+    }
+    samples[i] = first_sample;
+    by_face[i] = i;
+  }
+}
+
 // Finds the closest points of the remesh to the samples of the reference with a tree. Neighbors among the samples follow
 // each other: the face of one is a hint for the next.
 template <typename ConcurrencyTag, typename Foot>
@@ -140,14 +161,8 @@ void find_closest_faces(const Optimization_state<Foot>& state, Samples_of_refere
   }
   of_reference.face_paths.assign(mesh.faces.size(), 0);
 
-  // in the order of the faces from now on, as most samples stay with their faces
   group_by_face(mesh.faces.size(), of_reference);
-  std::vector<Reference_sample> in_order;
-  in_order.reserve(samples.size());
-  for(Index i : of_reference.by_face)
-    in_order.push_back(samples[i]);
-  samples.swap(in_order);
-  std::iota(of_reference.by_face.begin(), of_reference.by_face.end(), Index(0));
+  sort_by_face(of_reference);
 }
 
 // Finds them from the last closest points, but keeps those of faces whose vertices have gone no farther than `tolerance`.

@@ -128,7 +128,7 @@ private:
     if(is_least_squares())
       return { std::clamp(10 * m_displacement_along_normals, 0.02 * length, 0.1 * length), distance, true };
     const bool is_first_along_normal = m_report.iterations == m_options.number_of_free_iterations;
-    return { is_first_along_normal ? 0 : 0.05 * length, distance, is_free() };
+    return { is_first_along_normal ? 0 : 0.07 * length, distance, is_free() };
   }
 
   void sample()
@@ -159,6 +159,7 @@ private:
         walk_to_closest_faces<ConcurrencyTag>(m_state, tolerance().path, m_of_reference);
     }
     m_feature_edges.sample<ConcurrencyTag>(m_state);
+    m_is_sampled = true;
   }
 
   void fit()
@@ -192,6 +193,14 @@ private:
   void take_back()
   {
     m_visitor.start_phase(TAKE_BACK_HARM);
+    if(m_is_sampled)
+      m_state.targets = m_state.mesh.points;
+    else
+      m_state.mesh.points.swap(m_state.targets); // back to where the samples were taken
+    m_of_reference = Samples_of_reference();
+    for(auto* samples : { &m_state.vertex_samples, &m_state.midpoint_samples, &m_state.barycenter_samples })
+      samples->end_updates();
+
     take_back_harm<ConcurrencyTag>(m_harm_criterion, m_state, [&]() { return refuse_moves(m_state.initial_points); },
                                    m_find_self_intersections, m_is_shortened);
     count_corrected_vertices();
@@ -239,9 +248,10 @@ private:
     {
       const Vector displacement = m_state.targets[i] - m_state.mesh.points[i];
       largest2 = (std::max)(largest2, displacement.squared_length());
-      along_normals2 += square(displacement * m_state.vertex_samples.normals[i]);
+      along_normals2 += square(displacement * m_state.vertex_samples.normal(i));
     }
     m_state.mesh.points.swap(m_state.targets);
+    m_is_sampled = false;
 
     m_report.displacement = std::sqrt(largest2);
     const double last_along_normals = m_displacement_along_normals;
@@ -271,6 +281,7 @@ private:
   Samples_of_reference m_of_reference; // of LEAST_SQUARES
   Harm_criterion<ReferenceSurface> m_harm_criterion;
   std::vector<char> m_is_shortened;
+  bool m_is_sampled = false;  // the samples are those of the points, not of the targets, where the points were
   bool m_has_settled = false; // the vertices have not moved farther than the threshold
   double m_displacement_along_normals = 0; // in the last iteration, root mean square
   Vertex_location_optimization_report m_report;

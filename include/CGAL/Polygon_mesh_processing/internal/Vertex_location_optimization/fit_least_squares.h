@@ -101,14 +101,13 @@ std::array<Normal_equations, 3> face_equations(const Optimization_state<Foot>& s
   {
     const int i = (k + 1) % 3, j = (k + 2) % 3;
     const Index e = state.mesh.face_edges[f][k];
-    const Normal_equations of_midpoint(state.midpoint_samples.normals[e],
-                                       state.midpoint_samples.points[e] - midpoint(t[i], t[j]), area * 2 / 15, length);
+    const Normal_equations of_midpoint(state.midpoint_samples.normal(e), state.midpoint_samples.offset(e), area * 2 / 15,
+                                       length);
     equations[i].add(of_midpoint, 0.5);
     equations[j].add(of_midpoint, 0.5);
   }
 
-  const Normal_equations of_barycenter(state.barycenter_samples.normals[f],
-                                       state.barycenter_samples.points[f] - centroid(t[0], t[1], t[2]),
+  const Normal_equations of_barycenter(state.barycenter_samples.normal(f), state.barycenter_samples.offset(f),
                                        area * 9 / 20, length);
   for(Normal_equations& of_corner : equations)
     of_corner.add(of_barycenter, 1. / 3);
@@ -161,6 +160,52 @@ inline Vector pull_to_regular(const Point& v, const Point& p, const Point& q, co
          (angle_part * square(length) / sum_of_weights) * gradient;
 }
 
+// What the faces at a vertex say to it.
+struct Vertex_equations
+{
+  Normal_equations of_faces;
+  double area = 0; // of these faces
+  std::size_t number_of_faces = 0;
+};
+
+// Calls f(i, equations) for each vertex i of the mesh. Blocks of vertices that follow each other are also close to each
+// other: only the faces at the border of a block are visited for several of them.
+template <typename ConcurrencyTag, typename Foot, typename F>
+void for_each_vertex_equations(const Optimization_state<Foot>& state, const Samples_of_reference& of_reference, const F& f)
+{
+  constexpr std::size_t block_size = 512; // of vertices
+
+  const Mesh_arrays& mesh = state.mesh;
+  for_each_index<ConcurrencyTag>((mesh.points.size() + block_size - 1) / block_size, [&](std::size_t block)
+  {
+    const std::size_t begin = block * block_size, end = (std::min)(mesh.points.size(), begin + block_size);
+    std::vector<std::size_t> faces;
+    for(std::size_t i = begin; i < end; ++i)
+      state.for_each_corner(i, [&](Index c) { faces.push_back(c / 3); });
+    std::sort(faces.begin(), faces.end());
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+
+    std::vector<Vertex_equations> of_vertices(end - begin);
+    for(std::size_t face : faces)
+    {
+      const double area = mesh.area(face);
+      const std::array<Normal_equations, 3> equations = face_equations(state, of_reference, face, area);
+      for(int k = 0; k < 3; ++k)
+      {
+        const std::size_t i = mesh.faces[face][k];
+        if(i < begin || i >= end)
+          continue;
+        Vertex_equations& of_vertex = of_vertices[i - begin];
+        of_vertex.of_faces += equations[k];
+        of_vertex.area += area;
+        ++of_vertex.number_of_faces;
+      }
+    }
+    for(std::size_t i = begin; i < end; ++i)
+      f(i, of_vertices[i - begin]);
+  });
+}
+
 // Moves each free vertex towards the least squares fit of its faces to the samples of both surfaces, its neighbors held
 // fixed. The equations of the vertices are solved independently of each other, hence the relaxation factor; part of the
 // last displacement is repeated to get there sooner. A vertex whose samples fit stays.
@@ -173,38 +218,23 @@ void fit_least_squares(Optimization_state<Foot>& state,
 
   const Mesh_arrays& mesh = state.mesh;
   const double equilateral_area = std::sqrt(3.) / 4 * square(state.mean_edge_length);
-  std::vector<double> areas(mesh.faces.size());
-  std::vector<std::array<Normal_equations, 3>> of_faces(mesh.faces.size());
-  for_each_index<ConcurrencyTag>(of_faces.size(), [&](std::size_t f)
-  {
-    areas[f] = mesh.area(f);
-    of_faces[f] = face_equations(state, of_reference, f, areas[f]);
-  });
-
-  for_each_index<ConcurrencyTag>(mesh.points.size(), [&](std::size_t i)
+  for_each_vertex_equations<ConcurrencyTag>(state, of_reference, [&](std::size_t i, const Vertex_equations& of_vertex)
   {
     const Point& v = mesh.points[i];
     const Vector last_step = v - state.targets[i];
     state.targets[i] = v;
-    if(!state.is_free(i))
+    const double area = of_vertex.area;
+    if(!state.is_free(i) || !(area > 0))
       return;
 
-    Normal_equations equations;
-    double area = 0;
-    std::size_t number_of_faces = 0;
-    state.for_each_corner(i, [&](Index c)
-    {
-      equations += of_faces[c / 3][c % 3];
-      area += areas[c / 3];
-      ++number_of_faces;
-    });
-    equations += Normal_equations(state.vertex_samples.normals[i], state.vertex_samples.points[i] - v,
-                                  area / 20, state.mean_edge_length);
-    if(!(area > 0) || norm(equations.right_hand_side()) <= 1e-9 * area * state.mean_edge_length)
+    Normal_equations equations = of_vertex.of_faces;
+    equations += Normal_equations(state.vertex_samples.normal(i), state.vertex_samples.offset(i), area / 20,
+                                  state.mean_edge_length);
+    if(norm(equations.right_hand_side()) <= 1e-9 * area * state.mean_edge_length)
       return;
 
     Vector pull = NULL_VECTOR;
-    const double side = std::sqrt(area / number_of_faces * 4 / std::sqrt(3.)); // if the faces were equilateral
+    const double side = std::sqrt(area / of_vertex.number_of_faces * 4 / std::sqrt(3.)); // if the faces were equilateral
     state.for_each_corner(i, [&](Index c)
     {
       pull = pull + pull_to_regular(v, mesh.points[mesh.vertex(Mesh_arrays::next(c))],
@@ -212,8 +242,8 @@ void fit_least_squares(Optimization_state<Foot>& state,
     });
 
     // all faces weigh the same here, as in the mean of their angles
-    const double pull_weight = regularity_weight * number_of_faces * equilateral_area;
-    const Vector d = equations.solve(pull / number_of_faces, pull_weight, 1e-9 * area);
+    const double pull_weight = regularity_weight * of_vertex.number_of_faces * equilateral_area;
+    const Vector d = equations.solve(pull / of_vertex.number_of_faces, pull_weight, 1e-9 * area);
     const Vector step = relaxation * d + momentum * last_step;
     const double length = norm(step), limit = max_step * state.mean_edge_length;
     state.targets[i] = v + (length > limit ? (limit / length) * step : step);

@@ -15,19 +15,19 @@ namespace Polygon_mesh_processing {
 namespace internal {
 namespace vertex_location {
 
-// Equation (1) for the corner i of a face, relative to the signal there, where it loses no digits. The signal, points or
-// vectors, is p(k) at corner k and m(k) at the midpoint of the side that is opposite to it.
+// Equation (1) for the corner i of a face, relative to the signal there. The signal, vectors, is p(k) at corner k and m(k)
+// at the midpoint of the side that is opposite to it.
 template <typename CornerSignal, typename MidpointSignal>
 Vector piecewise_linear_update(const Index i, const CornerSignal& p, const MidpointSignal& m)
 {
   const Index j = i == 2 ? 0 : i + 1, k = i == 0 ? 2 : i - 1;
-  const auto& p_i = p(i);
-  return (11 * ((m(k) - p_i) + (m(j) - p_i)) - 7 * (m(i) - p_i) - 2 * ((p(j) - p_i) + (p(k) - p_i))) / 15;
+  return (11 * (m(j) + m(k) - p(i)) - 7 * m(i) - 2 * (p(j) + p(k))) / 15;
 }
 
 // Section 3.2: the piecewise linear surface closest to the samples, as far as one vertex with its faces can tell,
-// weighted by the areas of the faces of M_t, equations (1) and (2). If `along_normal`, only the part of the update along
-// n_i is taken, measured from p_i. A vertex that is not free, or whose faces have no area, stays.
+// weighted by the areas of the faces of M_t, equations (1) and (2). What is fitted is the way from M_t to the samples:
+// what is linear in each face, as M_t is, cancels out. If `along_normal`, only the part of the update along n_i is taken,
+// measured from p_i. A vertex that is not free, or whose faces have no area, stays.
 template <typename ConcurrencyTag, typename Foot>
 void fit_piecewise_linear(Optimization_state<Foot>& state, const bool along_normal)
 {
@@ -46,8 +46,8 @@ void fit_piecewise_linear(Optimization_state<Foot>& state, const bool along_norm
     state.for_each_corner(i, [&](Index c)
     {
       const Index f = c / 3;
-      const auto p = [&](Index k) -> const Point& { return state.vertex_samples.points[mesh.faces[f][k]]; };
-      const auto m = [&](Index k) -> const Point& { return state.midpoint_samples.points[mesh.face_edges[f][k]]; };
+      const auto p = [&](Index k) -> const Vector& { return state.vertex_samples.offset(mesh.faces[f][k]); };
+      const auto m = [&](Index k) -> const Vector& { return state.midpoint_samples.offset(mesh.face_edges[f][k]); };
       sum = sum + areas[f] * piecewise_linear_update(c % 3, p, m);
       sum_of_areas += areas[f];
     });
@@ -56,8 +56,8 @@ void fit_piecewise_linear(Optimization_state<Foot>& state, const bool along_norm
 
     Vector update = sum / sum_of_areas; // (2)
     if(along_normal)
-      update = (update * state.vertex_samples.normals[i]) * state.vertex_samples.normals[i];
-    state.targets[i] = state.vertex_samples.points[i] + update;
+      update = (update * state.vertex_samples.normal(i)) * state.vertex_samples.normal(i);
+    state.targets[i] = mesh.points[i] + (state.vertex_samples.offset(i) + update);
   });
 }
 

@@ -122,6 +122,13 @@ struct Reference_patches
     return foot;
   }
 
+  // asks for what a walk from `hint` reads first
+  void prefetch(const Patch_foot& hint) const
+  {
+    vertex_location::prefetch(tree.patch(hint.patch));
+    vertex_location::prefetch(neighbors[hint.patch]);
+  }
+
   // The feet that are the same point: several where it is on a side or in a corner of its patch.
   Coinciding_feet coinciding_feet(const Patch_foot& foot) const
   {

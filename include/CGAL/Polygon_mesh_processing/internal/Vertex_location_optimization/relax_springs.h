@@ -40,7 +40,7 @@ void relax_springs(Optimization_state<Foot>& state, const std::size_t number_of_
         const Vector from_j = state.targets[i] - state.targets[mesh.vertex(Mesh_arrays::next(c))];
         force = force + std::exp(-from_j.squared_length() / two_sigma2) * from_j;
       });
-      const Vector& n = state.vertex_samples.normals[i];
+      const Vector& n = state.vertex_samples.normal(i);
       relaxed[i] = state.targets[i] + (force - (force * n) * n);
     });
     state.targets.swap(relaxed);

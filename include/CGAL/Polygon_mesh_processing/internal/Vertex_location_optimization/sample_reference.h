@@ -9,6 +9,12 @@
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/for_each_element.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Optimization_state.h>
 
+#include <boost/container/small_vector.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
 namespace CGAL {
 namespace Polygon_mesh_processing {
 namespace internal {
@@ -30,62 +36,97 @@ void start_samples(const ReferenceSurface& reference,
     },
     [&](std::size_t e)
     {
-      state.midpoint_samples.project(e, reference, mesh.midpoint(e), state.vertex_samples.feet[mesh.edges[e][0]]);
+      state.midpoint_samples.project(e, reference, mesh.midpoint(e), state.vertex_samples.foot(mesh.edges[e][0]));
     },
     [&](std::size_t f)
     {
       const Point query = mesh.barycenter(f);
       const auto foot = reference.project(convert<typename ReferenceSurface::Point_3>(query),
-                                          state.midpoint_samples.feet[mesh.edge_at_first_vertex(f)]);
-      if(!state.barycenter_samples.feet.empty())
+                                          state.midpoint_samples.foot(mesh.edge_at_first_vertex(f)));
+      if(!state.barycenter_samples.empty())
         state.barycenter_samples.set_closest(f, reference, query, foot);
       on_barycenter(f, foot);
     });
 }
 
-// Calls f(samples, i, query, displacement) for each sample i with its query and how that moved in the last iteration.
-template <typename ConcurrencyTag, typename Foot, typename F>
-void for_each_sample(Optimization_state<Foot>& state, const F& f)
+// Takes samples from those of the iteration before, as exactly as `tolerance` says: n samples at the queries `query_at(k)`,
+// which are the means of the vertices `vertices_at(k)` and move as these do on an average.
+template <typename ConcurrencyTag, typename ReferenceSurface, typename VerticesAt, typename QueryAt>
+void update_samples(const ReferenceSurface& reference,
+                    const Sampling_tolerance& tolerance,
+                    const Optimization_state<typename ReferenceSurface::Foot>& state,
+                    const std::size_t n,
+                    const VerticesAt& vertices_at,
+                    const QueryAt& query_at,
+                    Reference_samples<typename ReferenceSurface::Foot>& samples)
 {
-  const Mesh_arrays& mesh = state.mesh;
-  const auto displacement_of = [&](const auto& element)
+  constexpr std::size_t block_size = 256;
+  for_each_index<ConcurrencyTag>((n + block_size - 1) / block_size, [&](std::size_t block)
   {
-    Vector sum = NULL_VECTOR;
-    for(Index i : element)
-      sum = sum + state.last_displacement(i);
-    return sum / element.size();
-  };
-
-  for_each_element<ConcurrencyTag>(mesh,
-    [&](std::size_t i) { f(state.vertex_samples, i, mesh.points[i], state.last_displacement(i)); },
-    [&](std::size_t e) { f(state.midpoint_samples, e, mesh.midpoint(e), displacement_of(mesh.edges[e])); },
-    [&](std::size_t k)
+    boost::container::small_vector<std::size_t, block_size> is_due; // few: what they need of the reference is far away
+    for(std::size_t k = block * block_size; k < (std::min)(n, (block + 1) * block_size); ++k)
     {
-      if(!state.barycenter_samples.feet.empty())
-        f(state.barycenter_samples, k, mesh.barycenter(k), displacement_of(mesh.faces[k]));
-    });
+      const auto& vertices = vertices_at(k);
+      Vector displacement = NULL_VECTOR, off_tangent_planes = NULL_VECTOR;
+      for(Index i : vertices)
+      {
+        const Vector d = state.last_displacement(i), m = state.vertex_samples.normal(i);
+        displacement = displacement + d;
+        off_tangent_planes = off_tangent_planes + (d * m) * m;
+      }
+      if(samples.move(k, tolerance, displacement / vertices.size(), off_tangent_planes / vertices.size()))
+      {
+        is_due.push_back(k);
+        prefetch_near(reference, samples.foot(k));
+      }
+    }
+    for(std::size_t k : is_due)
+      samples.update(k, reference, tolerance, query_at(k));
+  });
 }
 
-// Takes the samples from those of the iteration before, as exactly as `tolerance` says.
+// Takes all samples so.
 template <typename ConcurrencyTag, typename ReferenceSurface>
 void update_samples(const ReferenceSurface& reference,
                     const Sampling_tolerance& tolerance,
                     Optimization_state<typename ReferenceSurface::Foot>& state)
 {
-  for_each_sample<ConcurrencyTag>(state, [&](auto& samples, std::size_t i, const Point& query, const Vector& displacement)
-  {
-    samples.update(i, reference, tolerance, query, displacement);
-  });
+  const Mesh_arrays& mesh = state.mesh;
+  update_samples<ConcurrencyTag>(
+    reference, tolerance, state, mesh.edges.size(), [&](std::size_t e) { return mesh.edges[e]; },
+    [&](std::size_t e) { return mesh.midpoint(e); }, state.midpoint_samples);
+  if(!state.barycenter_samples.empty())
+    update_samples<ConcurrencyTag>(
+      reference, tolerance, state, mesh.faces.size(), [&](std::size_t f) { return mesh.faces[f]; },
+      [&](std::size_t f) { return mesh.barycenter(f); }, state.barycenter_samples);
+  // the last, as the others read their normals
+  update_samples<ConcurrencyTag>(
+    reference, tolerance, state, mesh.points.size(),
+    [](std::size_t i) { return std::array<Index, 1>{ static_cast<Index>(i) }; },
+    [&](std::size_t i) { return mesh.points[i]; }, state.vertex_samples);
 }
 
 // Takes the samples at the closest points.
 template <typename ConcurrencyTag, typename ReferenceSurface>
 void sample_closest_points(const ReferenceSurface& reference, Optimization_state<typename ReferenceSurface::Foot>& state)
 {
-  for_each_sample<ConcurrencyTag>(state, [&](auto& samples, std::size_t i, const Point& query, const Vector&)
+  const Mesh_arrays& mesh = state.mesh;
+  const auto project = [&](auto& samples, std::size_t k, const Point& query)
   {
-    samples.project(i, reference, query, samples.feet[i]);
-  });
+    constexpr std::size_t ahead = 8;
+    if(k + ahead < samples.size())
+      prefetch_near(reference, samples.foot(k + ahead));
+    samples.project(k, reference, query, samples.foot(k));
+  };
+
+  for_each_element<ConcurrencyTag>(mesh,
+    [&](std::size_t i) { project(state.vertex_samples, i, mesh.points[i]); },
+    [&](std::size_t e) { project(state.midpoint_samples, e, mesh.midpoint(e)); },
+    [&](std::size_t f)
+    {
+      if(!state.barycenter_samples.empty())
+        project(state.barycenter_samples, f, mesh.barycenter(f));
+    });
 }
 
 } // namespace vertex_location

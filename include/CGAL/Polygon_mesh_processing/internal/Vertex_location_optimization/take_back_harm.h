@@ -30,7 +30,7 @@ class Harm_criterion
 
 public:
   Harm_criterion(const ReferenceSurface& reference, const State& state)
-    : m_state(state), m_flips(state), m_error(reference, state)
+    : m_reference(reference), m_state(state), m_flips(state), m_error(reference, state, state.targets)
   {}
 
   // takes the foot of the barycenter of face f of the remesh
@@ -41,14 +41,11 @@ public:
   void measure_remesh()
   {
     constexpr double margin = 0.98; // for what lies between the samples
-    m_error.template take_samples_of_state<ConcurrencyTag>();
     m_mean_of_remesh = m_error.template mean<ConcurrencyTag>();
     m_max_error = margin * m_error.maximum();
-    m_integrals_of_remesh.resize(m_state.mesh.faces.size());
     m_oppositions_of_remesh.resize(m_state.mesh.faces.size());
     for_each_index<ConcurrencyTag>(m_state.mesh.faces.size(), [&](std::size_t f)
     {
-      m_integrals_of_remesh[f] = m_error.integral(f);
       m_oppositions_of_remesh[f] = m_error.opposition(f);
     });
     m_error.free_memory();
@@ -60,7 +57,7 @@ public:
   template <typename ConcurrencyTag>
   void measure_targets()
   {
-    m_error.template sample_targets<ConcurrencyTag>();
+    m_error.template sample<ConcurrencyTag>();
   }
 
   // whether the targets' mean error is not clearly below that of the remesh
@@ -77,13 +74,23 @@ public:
       return false;
     return m_flips.is_bad(f) ||
            m_error.opposition(f) > m_oppositions_of_remesh[f] ||
-           (m_is_strict && m_error.integral(f) > m_integrals_of_remesh[f]) ||
+           (is_strict() && m_error.integral(f) > m_integrals_of_remesh[f]) ||
            (!(m_error.maximum(f, m_max_error) <= m_max_error) && m_error.has_grown(f));
   }
 
   void update(std::size_t i) { m_error.update(i); }
 
-  void make_strict() { m_is_strict = true; }
+  template <typename ConcurrencyTag>
+  void make_strict()
+  {
+    Sampled_error<ReferenceSurface> of_remesh(m_reference, m_state, m_state.initial_points);
+    of_remesh.template sample_exactly<ConcurrencyTag>();
+    m_integrals_of_remesh.resize(m_state.mesh.faces.size());
+    for(std::size_t f = 0; f < m_integrals_of_remesh.size(); ++f)
+      m_integrals_of_remesh[f] = of_remesh.integral(f);
+    m_is_strict = true;
+  }
+
   bool is_strict() const { return m_is_strict; }
 
 private:
@@ -95,10 +102,11 @@ private:
     return false;
   }
 
+  const ReferenceSurface& m_reference;
   const State& m_state;
   Flip_criterion<Foot> m_flips;
   Sampled_error<ReferenceSurface> m_error;
-  std::vector<double> m_integrals_of_remesh; // of the error over each face
+  std::vector<double> m_integrals_of_remesh; // of the error over each face, if the criterion is strict
   std::vector<Opposition> m_oppositions_of_remesh;
   double m_mean_of_remesh = 0;
   double m_max_error = 0; // what a face must not exceed
@@ -161,9 +169,11 @@ bool separate_faces(Optimization_state<Foot>& state,
   return separated;
 }
 
-// The last word of a run: shortens the moves from the remesh to the result where they do harm, so that neither the
+// The last word of a run: shortens the moves from the remesh to the targets where they do harm, so that neither the
 // largest nor the mean error is above that of the remesh, as far as `Sampled_error` sees, no face is flipped and, if
 // that is tested, no pair of faces intersects that did not before.
+//
+// The points of the mesh in `state` must be those for which the samples were taken; then they are the result.
 //
 // `refuse_moves` takes back the moves that the user does not allow, and returns whether there were any;
 // `find_self_intersections` is a `Self_intersection_test`.
@@ -176,7 +186,6 @@ void take_back_harm(Harm_criterion<ReferenceSurface>& criterion,
 {
   Find_new_intersections<FindSelfIntersections> find_new_intersections(find_self_intersections);
 
-  state.targets = state.mesh.points;
   std::vector<int> number_of_halvings(state.targets.size(), 0);
   for(;;)
   {
@@ -199,7 +208,7 @@ void take_back_harm(Harm_criterion<ReferenceSurface>& criterion,
           }
         break;
       }
-      criterion.make_strict();
+      criterion.template make_strict<ConcurrencyTag>();
     }
     else if(!separate_faces(state, find_new_intersections(state), number_of_halvings, is_shortened))
       break;

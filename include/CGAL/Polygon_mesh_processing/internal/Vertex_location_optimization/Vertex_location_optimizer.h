@@ -128,7 +128,7 @@ private:
     if(is_least_squares())
       return { std::clamp(10 * m_displacement_along_normals, 0.02 * length, 0.1 * length), distance, true };
     const bool is_first_along_normal = m_report.iterations == m_options.number_of_free_iterations;
-    return { is_first_along_normal ? 0 : 0.07 * length, distance, is_free() };
+    return { is_first_along_normal ? 0 : 0.04 * length, distance, is_free() };
   }
 
   void sample()

@@ -13,7 +13,6 @@
 #include <boost/range/irange.hpp>
 
 #include <algorithm>
-#include <cstdint>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -28,27 +27,6 @@ struct Patch_foot
 {
   Index patch = no_index;
   Coordinates coordinates;
-};
-
-// A foot in a third of the memory, good enough for a hint: the coordinates are multiples of 1 / 65535.
-class Compact_patch_foot
-{
-public:
-  Compact_patch_foot() = default;
-  Compact_patch_foot(const Patch_foot& foot)
-    : m_patch(foot.patch), m_u(static_cast<std::uint16_t>(multiple(foot.coordinates.u))),
-      m_v(static_cast<std::uint16_t>((std::min)(multiple(foot.coordinates.v), steps - m_u)))
-  {}
-
-  operator Patch_foot() const { return { m_patch, { m_u / double(steps), m_v / double(steps) } }; }
-
-private:
-  static constexpr int steps = (std::numeric_limits<std::uint16_t>::max)();
-
-  static int multiple(double x) { return x > 0 ? static_cast<int>((std::min)(x, 1.) * steps + 0.5) : 0; }
-
-  Index m_patch = no_index;
-  std::uint16_t m_u = 0, m_v = 0;
 };
 
 // `Box` is a `Bbox_3` or an `Iso_cuboid_3`.

@@ -7,7 +7,7 @@
 #define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_REFERENCE_SAMPLES_H
 
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/for_each_index.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Patch_tree.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/geometry.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -56,18 +56,6 @@ struct Sampling_tolerance
   bool slides;     // whether it moves along with its query in the tangent plane until then
 };
 
-template <typename Foot>
-struct Compact_foot
-{
-  using type = Foot;
-};
-
-template <>
-struct Compact_foot<Patch_foot>
-{
-  using type = Compact_patch_foot;
-};
-
 // The points and normals of the reference at the feet of queries, which move from iteration to iteration. There are four
 // samples a vertex, and they make most of the memory: what need not be exact is kept in less.
 template <typename Foot>
@@ -85,7 +73,7 @@ public:
 
   const Vector& offset(std::size_t i) const { return m_offsets[i]; } // from the query to the point
   const Vector& normal(std::size_t i) const { return m_normals[i]; } // unit or null
-  Foot foot(std::size_t i) const { return m_feet[i]; } // where the point is, or was before it moved in the tangent plane
+  const Foot& foot(std::size_t i) const { return m_feet[i]; } // where the point is, or was before it moved in the tangent plane
 
   // keeps the offsets and feet alone
   void end_updates()
@@ -160,7 +148,7 @@ private:
   double m_unit;
   std::vector<Vector> m_offsets;
   std::vector<Vector> m_normals;
-  std::vector<typename Compact_foot<Foot>::type> m_feet;
+  std::vector<Foot> m_feet;
   std::vector<float> m_distance_bounds; // from the queries to the reference, in units
   std::vector<float> m_paths;           // of the queries since their feet were computed, in units
 };

@@ -151,11 +151,10 @@ void find_closest_faces(const Optimization_state<Foot>& state, Samples_of_refere
       triangles[f] = Flat_triangle(mesh.triangle(f));
     const Patch_tree<Flat_triangle> tree(std::move(triangles));
     constexpr std::size_t block_size = 64;
-    for_each_index<ConcurrencyTag>((samples.size() + block_size - 1) / block_size, [&](std::size_t block)
+    for_each_block<ConcurrencyTag>(samples.size(), block_size, [&](std::size_t begin, std::size_t end)
     {
-      const std::size_t end = (std::min)(samples.size(), (block + 1) * block_size);
       Patch_foot hint;
-      for(std::size_t i = block * block_size; i < end; ++i)
+      for(std::size_t i = begin; i < end; ++i)
         hint = samples[i].foot = tree.project(samples[i].point, hint);
     });
   }

@@ -176,9 +176,8 @@ void for_each_vertex_equations(const Optimization_state<Foot>& state, const Samp
   constexpr std::size_t block_size = 512; // of vertices
 
   const Mesh_arrays& mesh = state.mesh;
-  for_each_index<ConcurrencyTag>((mesh.points.size() + block_size - 1) / block_size, [&](std::size_t block)
+  for_each_block<ConcurrencyTag>(mesh.points.size(), block_size, [&](std::size_t begin, std::size_t end)
   {
-    const std::size_t begin = block * block_size, end = (std::min)(mesh.points.size(), begin + block_size);
     std::vector<std::size_t> faces;
     for(std::size_t i = begin; i < end; ++i)
       state.for_each_corner(i, [&](Index c) { faces.push_back(c / 3); });

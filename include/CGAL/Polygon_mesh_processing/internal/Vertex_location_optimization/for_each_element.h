@@ -31,10 +31,8 @@ void for_each_element(const Mesh_arrays& mesh, const OnVertex& on_vertex, const 
     return static_cast<std::size_t>(begin - elements.begin());
   };
 
-  const std::size_t n = mesh.points.size();
-  for_each_index<ConcurrencyTag>((n + block_size - 1) / block_size, [&](std::size_t block)
+  for_each_block<ConcurrencyTag>(mesh.points.size(), block_size, [&](std::size_t begin, std::size_t end)
   {
-    const std::size_t begin = block * block_size, end = (std::min)(n, begin + block_size);
     std::size_t e = begin_of(mesh.edges, begin), f = begin_of(mesh.faces, begin);
     for(std::size_t i = begin; i < end; ++i)
     {

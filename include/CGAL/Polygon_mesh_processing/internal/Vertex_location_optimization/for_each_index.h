@@ -47,6 +47,18 @@ void for_each_index(std::size_t n, const F& f)
     f(i);
 }
 
+// Calls f(begin, end) for blocks of indices [begin, end) that make [0, n), all of the same size but for the last, whatever
+// the number of threads.
+template <typename ConcurrencyTag, typename F>
+void for_each_block(std::size_t n, std::size_t block_size, const F& f)
+{
+  for_each_index<ConcurrencyTag>((n + block_size - 1) / block_size, [&](std::size_t block)
+  {
+    const std::size_t begin = block * block_size;
+    f(begin, (std::min)(n, begin + block_size));
+  });
+}
+
 // f(0) + f(1) + ... + f(n-1), summed in blocks of a fixed size, so that the rounding, and with it the result, is the
 // same for any number of threads. T is initialized with T() and has the operator +=.
 template <typename ConcurrencyTag, typename T, typename F>
@@ -54,11 +66,10 @@ T sum_over_indices(std::size_t n, const F& f)
 {
   constexpr std::size_t block_size = 512;
   std::vector<T> sums((n + block_size - 1) / block_size, T());
-  for_each_index<ConcurrencyTag>(sums.size(), [&](std::size_t block)
+  for_each_block<ConcurrencyTag>(n, block_size, [&](std::size_t begin, std::size_t end)
   {
-    const std::size_t end = (std::min)(n, (block + 1) * block_size);
-    for(std::size_t i = block * block_size; i < end; ++i)
-      sums[block] += f(i);
+    for(std::size_t i = begin; i < end; ++i)
+      sums[begin / block_size] += f(i);
   });
   T sum = T();
   for(const T& s : sums)

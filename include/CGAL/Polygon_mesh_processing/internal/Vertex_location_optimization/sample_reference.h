@@ -61,10 +61,10 @@ void update_samples(const ReferenceSurface& reference,
                     Reference_samples<typename ReferenceSurface::Foot>& samples)
 {
   constexpr std::size_t block_size = 256;
-  for_each_index<ConcurrencyTag>((n + block_size - 1) / block_size, [&](std::size_t block)
+  for_each_block<ConcurrencyTag>(n, block_size, [&](std::size_t begin, std::size_t end)
   {
     boost::container::small_vector<std::size_t, block_size> is_due; // few: what they need of the reference is far away
-    for(std::size_t k = block * block_size; k < (std::min)(n, (block + 1) * block_size); ++k)
+    for(std::size_t k = begin; k < end; ++k)
     {
       const auto& vertices = vertices_at(k);
       Vector displacement = NULL_VECTOR, off_tangent_planes = NULL_VECTOR;

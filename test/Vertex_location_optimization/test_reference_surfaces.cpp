@@ -108,6 +108,24 @@ void test_flat(const Mesh& mesh, double near_by, double far_away)
   }
 }
 
+// With a foot nearby as hint, however near, the foot is that of the query.
+void test_hints()
+{
+  start_topic("A hint does not show in the foot");
+  const PN_surface surface(make_mesh(icosphere(2)));
+  for(int i = 0; i < 200; ++i)
+  {
+    const Point query = CGAL::ORIGIN + 1.1 * unit(random_vector(1));
+    const auto foot = surface.project(query);
+    for(double shift = 1e-9; shift < 1; shift *= 10)
+    {
+      auto hint = foot;
+      hint.coordinates.u += shift;
+      CHECK_AT_MOST(norm(surface.point(surface.project(query, hint)) - surface.point(foot)), 1e-11);
+    }
+  }
+}
+
 double distance_to_cube(const Point& p)
 {
   const double x = std::abs(p.x()), y = std::abs(p.y()), z = std::abs(p.z());
@@ -319,6 +337,7 @@ int main()
   start_topic("Feet on the flat elephant");
   test_flat(elephant, 0.005 * size, 0.05 * size);
 
+  test_hints();
   test_creases();
   test_watertight();
   test_border();

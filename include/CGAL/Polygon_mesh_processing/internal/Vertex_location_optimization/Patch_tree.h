@@ -29,6 +29,19 @@ struct Patch_foot
   Coordinates coordinates;
 };
 
+// What is kept of a foot as a hint: its patch.
+class Patch_hint
+{
+public:
+  Patch_hint() = default;
+  Patch_hint(const Patch_foot& foot) : m_patch(foot.patch) {}
+
+  operator Patch_foot() const { return { m_patch, Coordinates() }; }
+
+private:
+  Index m_patch = no_index;
+};
+
 // `Box` is a `Bbox_3` or an `Iso_cuboid_3`.
 template <typename Box>
 double squared_distance_to_box(const Point& p, const Box& box)
@@ -88,15 +101,13 @@ public:
   Point point(const Patch_foot& foot) const { return m_patches[foot.patch].point(foot.coordinates); }
   Vector normal(const Patch_foot& foot) const { return m_patches[foot.patch].normal(foot.coordinates); }
 
-  // The closest point of the surface, which must not be empty. A foot of a point nearby as hint makes the search faster.
-  Patch_foot project(const Point& query, const Patch_foot& hint = Patch_foot()) const
+  // The closest point of the surface, which must not be empty. A patch nearby as hint makes the search faster.
+  Patch_foot project(const Point& query, const Index hint = no_index) const
   {
-    Patch_foot foot = hint;
+    Patch_foot foot{ 0, Coordinates() }; // what remains where squared distances overflow
     double distance2 = (std::numeric_limits<double>::max)();
-    if(hint.patch == no_index)
-      foot.patch = 0; // what remains where squared distances overflow
-    else
-      distance2 = squared_distance(query, point(hint));
+    if(hint != no_index)
+      foot = project_to_patch(query, hint, distance2);
 
     Find_candidates find_candidates(m_patches, distance2);
     m_tree.traversal_with_priority(query, find_candidates);
@@ -105,10 +116,19 @@ public:
       if(square(candidate.estimate.lower_bound) >= distance2)
         break;
       Coordinates x = candidate.estimate.coordinates;
-      if(m_patches[candidate.patch].improve_foot(query, x, distance2))
+      if(candidate.patch != hint && m_patches[candidate.patch].improve_foot(query, x, distance2))
         foot = { candidate.patch, x };
     }
     return foot;
+  }
+
+  // the closest point of patch i, and its squared distance
+  Patch_foot project_to_patch(const Point& query, const Index i, double& squared_distance) const
+  {
+    Coordinates x = m_patches[i].estimate_foot(query).coordinates;
+    squared_distance = (std::numeric_limits<double>::max)();
+    m_patches[i].improve_foot(query, x, squared_distance);
+    return { i, x };
   }
 
 private:

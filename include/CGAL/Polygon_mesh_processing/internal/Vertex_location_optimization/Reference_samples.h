@@ -7,7 +7,7 @@
 #define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_REFERENCE_SAMPLES_H
 
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/for_each_index.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/geometry.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Patch_tree.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -56,6 +56,19 @@ struct Sampling_tolerance
   bool slides;     // whether it moves along with its query in the tangent plane until then
 };
 
+// What is kept of a foot, to be the hint for the next one.
+template <typename Foot>
+struct Hint_of_foot
+{
+  using type = Foot;
+};
+
+template <>
+struct Hint_of_foot<Patch_foot>
+{
+  using type = Patch_hint;
+};
+
 // The points and normals of the reference at the feet of queries, which move from iteration to iteration. There are four
 // samples a vertex, and they make most of the memory: what need not be exact is kept in less.
 template <typename Foot>
@@ -64,18 +77,18 @@ class Reference_samples
 public:
   // `unit` is a length of the size of the mesh; it keeps lengths in the range of single precision
   Reference_samples(const std::size_t n, const double unit, const bool has_normals)
-    : m_unit(unit), m_offsets(n, NULL_VECTOR), m_normals(has_normals ? n : 0, NULL_VECTOR), m_feet(n),
+    : m_unit(unit), m_offsets(n, NULL_VECTOR), m_normals(has_normals ? n : 0, NULL_VECTOR), m_hints(n),
       m_distance_bounds(n, 0), m_paths(n, 0)
   {}
 
-  std::size_t size() const { return m_feet.size(); }
-  bool empty() const { return m_feet.empty(); }
+  std::size_t size() const { return m_hints.size(); }
+  bool empty() const { return m_hints.empty(); }
 
   const Vector& offset(std::size_t i) const { return m_offsets[i]; } // from the query to the point
   const Vector& normal(std::size_t i) const { return m_normals[i]; } // unit or null
-  const Foot& foot(std::size_t i) const { return m_feet[i]; } // where the point is, or was before it moved in the tangent plane
+  Foot hint(std::size_t i) const { return m_hints[i]; } // near the point
 
-  // keeps the offsets and feet alone
+  // keeps the offsets and hints alone
   void end_updates()
   {
     release(m_normals);
@@ -129,9 +142,9 @@ public:
   template <typename ReferenceSurface>
   void update(std::size_t i, const ReferenceSurface& reference, const Sampling_tolerance& tolerance, const Point& query)
   {
-    set(i, reference, query, project_near(reference, query, foot(i)));
+    set(i, reference, query, project_near(reference, query, hint(i)));
     if(!(norm(offset(i)) <= m_distance_bounds[i] * m_unit + tolerance.distance))
-      project(i, reference, query, foot(i));
+      project(i, reference, query, hint(i));
   }
 
 private:
@@ -141,14 +154,14 @@ private:
     m_offsets[i] = convert<Point>(reference.point(foot)) - query;
     if(!m_normals.empty())
       m_normals[i] = convert<Vector>(reference.normal(foot));
-    m_feet[i] = foot;
+    m_hints[i] = foot;
     m_paths[i] = 0;
   }
 
   double m_unit;
   std::vector<Vector> m_offsets;
   std::vector<Vector> m_normals;
-  std::vector<Foot> m_feet;
+  std::vector<typename Hint_of_foot<Foot>::type> m_hints; // the feet of the last time
   std::vector<float> m_distance_bounds; // from the queries to the reference, in units
   std::vector<float> m_paths;           // of the queries since their feet were computed, in units
 };

@@ -84,8 +84,8 @@ public:
   {
     allocate();
     for_each_element<ConcurrencyTag>(m_state.mesh,
-      [&](std::size_t i) { m_at_vertex[i] = distance(m_points[i], m_state.vertex_samples.foot(i)); },
-      [&](std::size_t e) { m_at_midpoint[e] = distance(midpoint_of_edge(e), m_state.midpoint_samples.foot(e)); },
+      [&](std::size_t i) { m_at_vertex[i] = distance(m_points[i], m_state.vertex_samples.hint(i)); },
+      [&](std::size_t e) { m_at_midpoint[e] = distance(midpoint_of_edge(e), m_state.midpoint_samples.hint(e)); },
       [&](std::size_t f) { set_barycenter(f, m_reference.project(convert<Reference_point>(barycenter(f)), hint_near(f))); });
   }
 
@@ -222,7 +222,7 @@ private:
   }
 
   // a foot near the barycenter of face f
-  Foot hint_near(std::size_t f) const { return m_state.midpoint_samples.foot(m_state.mesh.edge_at_first_vertex(f)); }
+  Foot hint_near(std::size_t f) const { return m_state.midpoint_samples.hint(m_state.mesh.edge_at_first_vertex(f)); }
 
   double sampled_maximum(std::size_t f) const
   {
@@ -245,7 +245,7 @@ private:
       for(int j = 0; j <= level - i; ++j)
       {
         const Coordinates x{ double(i) / level, double(j) / level };
-        const double d = (this->*distance)(point_at(t, x), m_state.vertex_samples.foot(m_state.mesh.faces[f][0]));
+        const double d = (this->*distance)(point_at(t, x), m_state.vertex_samples.hint(m_state.mesh.faces[f][0]));
         if(d > best.first)
           best = { d, x };
       }
@@ -268,7 +268,7 @@ private:
         const Coordinates x{ center.u + step * u, center.v + step * v };
         if(x.u < 0 || x.v < 0 || x.u + x.v > 1)
           continue;
-        const double d = distance(point_at(t, x), m_state.vertex_samples.foot(m_state.mesh.faces[f][0]));
+        const double d = distance(point_at(t, x), m_state.vertex_samples.hint(m_state.mesh.faces[f][0]));
         if(d > result)
         {
           result = d;
@@ -310,7 +310,7 @@ private:
     constexpr double beside = 1e-3; // relative to the mean edge length
     if(squared_distance(p, query) <= square(beside * m_state.mean_edge_length))
       return norm(samples.offset(i) - (p - query));
-    return distance_near(p, samples.foot(i));
+    return distance_near(p, samples.hint(i));
   }
 
   void sample_barycenter(std::size_t f)

@@ -153,9 +153,12 @@ void find_closest_faces(const Optimization_state<Foot>& state, Samples_of_refere
     constexpr std::size_t block_size = 64;
     for_each_block<ConcurrencyTag>(samples.size(), block_size, [&](std::size_t begin, std::size_t end)
     {
-      Patch_foot hint;
+      Index hint = no_index;
       for(std::size_t i = begin; i < end; ++i)
-        hint = samples[i].foot = tree.project(samples[i].point, hint);
+      {
+        samples[i].foot = tree.project(samples[i].point, hint);
+        hint = samples[i].foot.patch;
+      }
     });
   }
   of_reference.face_paths.assign(mesh.faces.size(), 0);

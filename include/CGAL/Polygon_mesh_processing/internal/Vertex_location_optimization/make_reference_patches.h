@@ -18,7 +18,6 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -107,16 +106,15 @@ struct Reference_patches
   // The closest point of the surface, which must not be empty. A foot of a point nearby as hint makes the search faster.
   Patch_foot project(const Point& query, const Patch_foot& hint) const
   {
-    return tree.project(query, hint.patch == no_index ? hint : approach(query, hint));
+    return tree.project(query, hint.patch == no_index ? no_index : approach(query, hint.patch));
   }
 
   // The closest point of the surface as far as walking from the patch of `hint` over neighbors leads closer. Much faster
   // than the tree, and the same point unless another sheet of the surface is closer.
   Patch_foot walk(const Point& query, const Patch_foot& hint) const
   {
-    Patch_foot foot = approach(query, hint);
-    double distance = (std::numeric_limits<double>::max)();
-    tree.patch(foot.patch).improve_foot_from(query, foot.coordinates, distance);
+    double distance;
+    Patch_foot foot = tree.project_to_patch(query, approach(query, hint.patch), distance);
     while(step_to_neighbor(query, foot, distance))
       ;
     return foot;
@@ -180,11 +178,10 @@ struct Reference_patches
   Feature_curves curves;
 
 private:
-  // A hint closer to `query` where going straight there from that of `hint`, as if the patches were flat, leads.
-  Patch_foot approach(const Point& query, const Patch_foot& hint) const
+  // The patch to which going from `patch` straight to `query` leads, as if the patches were flat.
+  Index approach(const Point& query, Index patch) const
   {
     constexpr int max_steps = 16;
-    Index patch = hint.patch;
     for(int step = 0; step < max_steps; ++step)
     {
       const std::array<double, 3> lambda = tree.patch(patch).flat_coordinates(query).barycentric();
@@ -193,9 +190,7 @@ private:
         break;
       patch = neighbors[patch][k] / 3;
     }
-    if(patch == hint.patch)
-      return hint;
-    return { patch, tree.patch(patch).estimate_foot(query).coordinates };
+    return patch;
   }
 
   // The same point in the neighbor across side k; in none if the foot is not on that side or there is no neighbor.

@@ -36,13 +36,13 @@ void start_samples(const ReferenceSurface& reference,
     },
     [&](std::size_t e)
     {
-      state.midpoint_samples.project(e, reference, mesh.midpoint(e), state.vertex_samples.foot(mesh.edges[e][0]));
+      state.midpoint_samples.project(e, reference, mesh.midpoint(e), state.vertex_samples.hint(mesh.edges[e][0]));
     },
     [&](std::size_t f)
     {
       const Point query = mesh.barycenter(f);
       const auto foot = reference.project(convert<typename ReferenceSurface::Point_3>(query),
-                                          state.midpoint_samples.foot(mesh.edge_at_first_vertex(f)));
+                                          state.midpoint_samples.hint(mesh.edge_at_first_vertex(f)));
       if(!state.barycenter_samples.empty())
         state.barycenter_samples.set_closest(f, reference, query, foot);
       on_barycenter(f, foot);
@@ -77,7 +77,7 @@ void update_samples(const ReferenceSurface& reference,
       if(samples.move(k, tolerance, displacement / vertices.size(), off_tangent_planes / vertices.size()))
       {
         is_due.push_back(k);
-        prefetch_near(reference, samples.foot(k));
+        prefetch_near(reference, samples.hint(k));
       }
     }
     for(std::size_t k : is_due)
@@ -115,8 +115,8 @@ void sample_closest_points(const ReferenceSurface& reference, Optimization_state
   {
     constexpr std::size_t ahead = 8;
     if(k + ahead < samples.size())
-      prefetch_near(reference, samples.foot(k + ahead));
-    samples.project(k, reference, query, samples.foot(k));
+      prefetch_near(reference, samples.hint(k + ahead));
+    samples.project(k, reference, query, samples.hint(k));
   };
 
   for_each_element<ConcurrencyTag>(mesh,

@@ -6,6 +6,7 @@
 #ifndef CGAL_POLYGON_MESH_PROCESSING_OPTIMIZE_VERTEX_LOCATIONS_H
 #define CGAL_POLYGON_MESH_PROCESSING_OPTIMIZE_VERTEX_LOCATIONS_H
 
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/memory.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/named_parameters.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/read_parameters.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Self_intersection_test.h>
@@ -267,8 +268,7 @@ optimize_vertex_locations(TriangleMesh& tmesh,
       return Vertex_location_optimization_report();
 
     using Surface = std::decay_t<decltype(surface)>;
-    Optimization_state<typename Surface::Foot> state(std::move(mesh), std::move(constraints),
-                                                           options.placement_method);
+    Optimization_state<typename Surface::Foot> state(std::move(mesh), std::move(constraints), options.placement_method);
     const auto report = optimize<ConcurrencyTag>(state, surface, options, allow_move, find_self_intersections, visitor);
 
     for(std::size_t i = 0; i < state.mesh.points.size(); ++i)

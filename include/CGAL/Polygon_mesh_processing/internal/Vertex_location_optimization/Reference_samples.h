@@ -6,7 +6,7 @@
 #ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_REFERENCE_SAMPLES_H
 #define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_REFERENCE_SAMPLES_H
 
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/for_each_index.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/memory.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Patch_tree.h>
 
 #include <algorithm>
@@ -46,6 +46,15 @@ void prefetch_near(const ReferenceSurface& reference, const typename ReferenceSu
 {
   if constexpr(Can_project_near<ReferenceSurface>::value)
     reference.prefetch(hint);
+}
+
+// Asks for what `project_near()` reads first for the query some places after query i of n; `hint_at(k)` is the hint of query k.
+template <typename ReferenceSurface, typename HintAt>
+void prefetch_ahead(const ReferenceSurface& reference, std::size_t i, std::size_t n, const HintAt& hint_at)
+{
+  constexpr std::size_t ahead = 8;
+  if(i + ahead < n)
+    prefetch_near(reference, hint_at(i + ahead));
 }
 
 // When a foot is computed anew.
@@ -115,11 +124,12 @@ public:
   }
 
   // Tells sample i that its query has moved by `displacement`; returns whether the foot must be computed anew, with
-  // `update()`. For a sample without a normal `off_tangent_plane` says what part of the displacement is off the tangent plane.
+  // `update()`. For a sample without a normal `off_tangent_plane()` is the part of the displacement off the tangent plane.
+  template <typename OffTangentPlane>
   bool move(std::size_t i,
             const Sampling_tolerance& tolerance,
             const Vector& displacement,
-            const Vector& off_tangent_plane)
+            const OffTangentPlane& off_tangent_plane)
   {
     const float length = static_cast<float>(norm(displacement) / m_unit);
     m_distance_bounds[i] = (std::max)(0.f, m_distance_bounds[i] - length);
@@ -130,7 +140,7 @@ public:
     if(!tolerance.slides)
       m_offsets[i] = m_offsets[i] - displacement;
     else if(m_normals.empty())
-      m_offsets[i] = m_offsets[i] - off_tangent_plane;
+      m_offsets[i] = m_offsets[i] - off_tangent_plane();
     else
       m_offsets[i] = m_offsets[i] - (displacement * normal(i)) * normal(i);
     return false;

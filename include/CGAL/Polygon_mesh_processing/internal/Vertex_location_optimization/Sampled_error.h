@@ -8,6 +8,7 @@
 
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Flat_triangle.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/for_each_element.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/memory.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Optimization_state.h>
 
 #include <boost/range/irange.hpp>
@@ -75,7 +76,11 @@ public:
     for_each_element<ConcurrencyTag>(m_state.mesh,
       [&](std::size_t i) { sample_vertex(i); },
       [&](std::size_t e) { sample_midpoint(e); },
-      [&](std::size_t f) { sample_barycenter(f); });
+      [&](std::size_t f)
+      {
+        prefetch_ahead(m_reference, f, m_state.mesh.faces.size(), [&](std::size_t g) { return hint_near(g); });
+        sample_barycenter(f);
+      });
   }
 
   // takes samples at the closest points
@@ -315,10 +320,6 @@ private:
 
   void sample_barycenter(std::size_t f)
   {
-    constexpr std::size_t ahead = 8;
-    if(f + ahead < m_state.mesh.faces.size())
-      prefetch_near(m_reference, hint_near(f + ahead));
-
     constexpr double near = 0.1; // relative to the mean edge length; other sheets are thought to be farther away
     const Point p = barycenter(f);
     const Foot foot = project_near(m_reference, p, hint_near(f));

@@ -77,27 +77,6 @@ T sum_over_indices(std::size_t n, const F& f)
   return sum;
 }
 
-// asks for `object` to be brought to the cache, where the compiler has a way to say so
-template <typename T>
-void prefetch(const T& object)
-{
-#ifdef __GNUC__
-  constexpr std::size_t line_size = 64;
-  const char* const begin = reinterpret_cast<const char*>(&object);
-  for(std::size_t i = 0; i < sizeof(T); i += line_size)
-    __builtin_prefetch(begin + i);
-#else
-  (void)object;
-#endif
-}
-
-// empties a vector and gives its memory back
-template <typename T>
-void release(std::vector<T>& v)
-{
-  std::vector<T>().swap(v);
-}
-
 } // namespace vertex_location
 } // namespace internal
 } // namespace Polygon_mesh_processing

@@ -8,6 +8,7 @@
 
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/corner_normals.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Feature_curves.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/memory.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/named_parameters.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/PN_triangle.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/read_parameters.h>

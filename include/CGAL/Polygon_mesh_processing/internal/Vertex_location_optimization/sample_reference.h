@@ -67,14 +67,23 @@ void update_samples(const ReferenceSurface& reference,
     for(std::size_t k = begin; k < end; ++k)
     {
       const auto& vertices = vertices_at(k);
-      Vector displacement = NULL_VECTOR, off_tangent_planes = NULL_VECTOR;
-      for(Index i : vertices)
+      const auto mean = [&](const auto& of_vertex)
       {
-        const Vector d = state.last_displacement(i), m = state.vertex_samples.normal(i);
-        displacement = displacement + d;
-        off_tangent_planes = off_tangent_planes + (d * m) * m;
-      }
-      if(samples.move(k, tolerance, displacement / vertices.size(), off_tangent_planes / vertices.size()))
+        Vector sum = NULL_VECTOR;
+        for(Index i : vertices)
+          sum = sum + of_vertex(i);
+        return Vector(sum / static_cast<double>(vertices.size()));
+      };
+      const Vector displacement = mean([&](Index i) { return state.last_displacement(i); });
+      const auto off_tangent_plane = [&]()
+      {
+        return mean([&](Index i)
+        {
+          const Vector& m = state.vertex_samples.normal(i);
+          return Vector((state.last_displacement(i) * m) * m);
+        });
+      };
+      if(samples.move(k, tolerance, displacement, off_tangent_plane))
       {
         is_due.push_back(k);
         prefetch_near(reference, samples.hint(k));
@@ -113,9 +122,7 @@ void sample_closest_points(const ReferenceSurface& reference, Optimization_state
   const Mesh_arrays& mesh = state.mesh;
   const auto project = [&](auto& samples, std::size_t k, const Point& query)
   {
-    constexpr std::size_t ahead = 8;
-    if(k + ahead < samples.size())
-      prefetch_near(reference, samples.hint(k + ahead));
+    prefetch_ahead(reference, k, samples.size(), [&](std::size_t l) { return samples.hint(l); });
     samples.project(k, reference, query, samples.hint(k));
   };
 

@@ -218,18 +218,17 @@ optimize_vertex_locations(TriangleMesh& tmesh,
   if(!is_valid)
     return {};
 
-  Options options;
+  Options options(choose_parameter(get_parameter(np1, internal_np::placement_method), PIECEWISE_LINEAR));
   options.number_of_iterations =
     choose_parameter(get_parameter(np1, internal_np::number_of_iterations), options.number_of_iterations);
   options.number_of_free_iterations =
     choose_parameter(get_parameter(np1, internal_np::number_of_free_iterations), options.number_of_free_iterations);
   options.number_of_relaxation_steps =
     choose_parameter(get_parameter(np1, internal_np::number_of_relaxation_steps), options.number_of_relaxation_steps);
-  options.placement_method =
-    choose_parameter(get_parameter(np1, internal_np::placement_method), options.placement_method);
   options.convergence_threshold =
-    to_double(choose_parameter(get_parameter(np1, internal_np::convergence_threshold),
-                               default_convergence_threshold(options.placement_method)));
+    to_double(choose_parameter(get_parameter(np1, internal_np::convergence_threshold), options.convergence_threshold));
+  options.do_self_intersection_tests =
+    choose_parameter(get_parameter(np1, internal_np::do_self_intersection_tests), options.do_self_intersection_tests);
   options.regularity_weight =
     to_double(choose_parameter(get_parameter(np1, internal_np::regularity_weight), options.regularity_weight));
   const bool has_valid_options = options.convergence_threshold >= 0 && options.regularity_weight >= 0;
@@ -249,12 +248,10 @@ optimize_vertex_locations(TriangleMesh& tmesh,
     return is_allowed(descriptors.vertices[i], convert<Point_3>(source), convert<Point_3>(target));
   };
 
-  const bool do_self_intersection_tests =
-    choose_parameter(get_parameter(np1, internal_np::do_self_intersection_tests), options.placement_method == LEAST_SQUARES);
-  if(!do_self_intersection_tests)
+  if(!options.do_self_intersection_tests)
     release(descriptors.halfedges);
   const Self_intersection_test<ConcurrencyTag, TriangleMesh> find_self_intersections(tmesh, descriptors,
-                                                                                     do_self_intersection_tests);
+                                                                                     options.do_self_intersection_tests);
 
   auto visitor_or_reference = choose_parameter(get_parameter(np1, internal_np::visitor),
                                                Vertex_location_optimization_default_visitor());

@@ -32,20 +32,23 @@ struct Allow_all_moves
   bool operator()(const Vertex&, const Point&, const Point&) const { return true; }
 };
 
-// Where LEAST_SQUARES ends with this the mean error is within 2% of that after twice as many iterations.
-inline double default_convergence_threshold(const Placement_method method)
-{
-  return method == LEAST_SQUARES ? 7.5e-4 : 1e-6;
-}
-
+// The parameters of the user, first with their defaults.
 struct Options
 {
+  explicit Options(const Placement_method method)
+    : placement_method(method),
+      // where LEAST_SQUARES ends with this the mean error is within 2% of that after twice as many iterations
+      convergence_threshold(method == LEAST_SQUARES ? 7.5e-4 : 1e-6),
+      do_self_intersection_tests(method == LEAST_SQUARES)
+  {}
+
+  Placement_method placement_method;
+  double convergence_threshold; // relative to the mean edge length
+  bool do_self_intersection_tests;
   std::size_t number_of_iterations = 30;
   std::size_t number_of_free_iterations = 20;
   std::size_t number_of_relaxation_steps = 1;
-  Placement_method placement_method = PIECEWISE_LINEAR;
-  double convergence_threshold = default_convergence_threshold(PIECEWISE_LINEAR); // relative to the mean edge length
-  double regularity_weight = 0.15;     // of LEAST_SQUARES
+  double regularity_weight = 0.15; // of LEAST_SQUARES
 };
 
 // Algorithm 1: moves the vertices of the mesh in `state` to where its faces approximate `reference` best. `AllowMove` is

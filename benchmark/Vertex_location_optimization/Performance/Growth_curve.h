@@ -6,9 +6,12 @@
 #ifndef VERTEX_LOCATION_OPTIMIZATION_BENCHMARK_GROWTH_CURVE_H
 #define VERTEX_LOCATION_OPTIMIZATION_BENCHMARK_GROWTH_CURVE_H
 
+#include "../Log_log_plot.h"
+
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 // Times against sizes.
@@ -50,6 +53,29 @@ inline double exponent(const Growth_curve& curve) { return slope(logarithms(curv
 inline double exponent_of_logarithm(const Growth_curve& curve)
 {
   return slope(logarithms(logarithms(curve.sizes)), logarithms(curve.seconds));
+}
+
+// Beside each curve the paper's growth, up to its last point: the time would be proportional to growth(size).
+inline Log_log_plot growth_plot(const std::vector<Growth_curve>& curves,
+                                const std::string& label,
+                                const std::string& name_of_growth,
+                                double (*growth)(double))
+{
+  Log_log_plot plot("", label, "seconds");
+  const std::vector<std::string> colors{ "#0050c0", "#008000" };
+  for(std::size_t k = 0; k < curves.size(); ++k)
+  {
+    const Growth_curve& curve = curves[k];
+    std::vector<std::pair<double, double>> measured, expected;
+    for(std::size_t i = 0; i < curve.sizes.size(); ++i)
+    {
+      measured.emplace_back(curve.sizes[i], curve.seconds[i]);
+      expected.emplace_back(curve.sizes[i], curve.seconds.back() * growth(curve.sizes[i]) / growth(curve.sizes.back()));
+    }
+    plot.add_curve(curve.name, colors[k % colors.size()], measured);
+    plot.add_guide(name_of_growth, colors[k % colors.size()], expected);
+  }
+  return plot;
 }
 
 #endif // VERTEX_LOCATION_OPTIMIZATION_BENCHMARK_GROWTH_CURVE_H

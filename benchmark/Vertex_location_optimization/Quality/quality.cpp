@@ -14,10 +14,10 @@
 // Four numbers in a row are those of the remesh, of the two placement methods, and of a least squares fit as one sparse
 // linear system. Distances are in 1e-4 of the longest side of the bounding box.
 
+#include "../Log_log_plot.h"
 #include "measures.h"
 #include "models.h"
 #include "normals.h"
-#include "plot.h"
 #include "remeshers.h"
 #include "tables.h"
 #include "trade_off.h"
@@ -61,7 +61,7 @@ void draw_figure_6(const std::vector<Row>& rows)
     plot.add_curve(method_names[method], color, points);
   }
   std::ofstream out("error_by_vertices_" + name + ".svg");
-  plot.write(out);
+  write_svg(out, { plot });
 }
 
 void make_table_2(const std::vector<std::string>& directories, std::ostream& csv)

@@ -6,9 +6,9 @@
 #ifndef VERTEX_LOCATION_OPTIMIZATION_BENCHMARK_QUALITY_TRADE_OFF_H
 #define VERTEX_LOCATION_OPTIMIZATION_BENCHMARK_QUALITY_TRADE_OFF_H
 
+#include "../Log_log_plot.h"
 #include "measures.h"
 #include "models.h"
-#include "plot.h"
 #include "remeshers.h"
 #include "tables.h"
 
@@ -52,7 +52,7 @@ inline void make_trade_off(const Model& model, std::ostream& out)
   plot.add_curve("mean error (1e-4)", "#008000", errors);
   plot.add_curve("60 - angle (degrees)", "#0050c0", angles);
   std::ofstream file("trade_off_" + model.name + ".svg");
-  plot.write(file);
+  write_svg(file, { plot });
 }
 
 #endif // VERTEX_LOCATION_OPTIMIZATION_BENCHMARK_QUALITY_TRADE_OFF_H

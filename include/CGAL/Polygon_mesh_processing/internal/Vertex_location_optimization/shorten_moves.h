@@ -17,6 +17,13 @@ namespace Polygon_mesh_processing {
 namespace internal {
 namespace vertex_location {
 
+// Halves the move of a vertex from `origin`, to which it returns when it has been halved too often.
+inline void halve_move(const Point& origin, Point& target, int& number_of_halvings)
+{
+  constexpr int max_halvings = 6;
+  target = ++number_of_halvings > max_halvings ? origin : midpoint(origin, target);
+}
+
 // The correction of section 3.3, for any criterion: as long as a face is bad, halves the move, from `origins` to the
 // targets, of the vertex with the largest C_i - n_i, where C_i is the number of bad faces at the vertex and n_i how often
 // it was corrected; the smallest index first where these are equal. Marks the vertices whose moves it shortens.
@@ -29,8 +36,6 @@ void shorten_moves(Optimization_state<Foot>& state,
                    Criterion& criterion,
                    std::vector<char>& is_shortened)
 {
-  constexpr int max_halvings = 6; // then the vertex stays at its origin
-
   const Mesh_arrays& mesh = state.mesh;
   std::vector<char> is_bad(mesh.faces.size());
   for_each_index<ConcurrencyTag>(mesh.faces.size(), [&](std::size_t f) { is_bad[f] = criterion.is_bad(f); });
@@ -67,7 +72,7 @@ void shorten_moves(Optimization_state<Foot>& state,
       dequeue(j);
 
     is_shortened[i] = 1;
-    state.targets[i] = ++number_of_corrections[i] > max_halvings ? origins[i] : midpoint(origins[i], state.targets[i]);
+    halve_move(origins[i], state.targets[i], number_of_corrections[i]);
     criterion.update(i);
     state.for_each_corner(i, [&](Index c) { is_bad[c / 3] = criterion.is_bad(c / 3); });
 

@@ -150,8 +150,6 @@ bool separate_faces(Optimization_state<Foot>& state,
                     std::vector<int>& number_of_halvings,
                     std::vector<char>& is_shortened)
 {
-  constexpr int max_halvings = 6;
-
   std::set<Index> vertices;
   for(const auto& pair : pairs)
     for(Index f : { pair.first, pair.second })
@@ -161,8 +159,7 @@ bool separate_faces(Optimization_state<Foot>& state,
   for(Index i : vertices)
     if(state.targets[i] != state.initial_points[i])
     {
-      state.targets[i] = ++number_of_halvings[i] > max_halvings ? state.initial_points[i]
-                                                                : midpoint(state.initial_points[i], state.targets[i]);
+      halve_move(state.initial_points[i], state.targets[i], number_of_halvings[i]);
       is_shortened[i] = 1;
       separated = true;
     }

@@ -45,7 +45,7 @@ public:
     m_curves.push_back({ std::move(name), std::move(color), std::move(points) });
   }
 
-  // a dashed curve, to compare with
+  // a dashed curve, to compare with; in the legend if it has a name
   void add_guide(std::string name, std::string color, std::vector<std::pair<double, double>> points)
   {
     m_guides.push_back({ std::move(name), std::move(color), std::move(points) });
@@ -86,6 +86,8 @@ public:
         for(const auto& point : curve.points)
           out << "<circle cx=\"" << x.at(point.first) << "\" cy=\"" << y.at(point.second) << "\" r=\"" << radius
               << "\" fill=\"" << curve.color << "\"/>\n";
+        if(curve.name.empty())
+          continue;
         out << "<path d=\"M562 " << legend - 5 << "h25\"" << stroke << "/>\n"
             << "<text x=\"594\" y=\"" << legend << "\">" << curve.name << "</text>\n";
         legend += 20;

@@ -73,7 +73,7 @@ inline Log_log_plot growth_plot(const std::vector<Growth_curve>& curves,
       expected.emplace_back(curve.sizes[i], curve.seconds.back() * growth(curve.sizes[i]) / growth(curve.sizes.back()));
     }
     plot.add_curve(curve.name, colors[k % colors.size()], measured);
-    plot.add_guide(name_of_growth, colors[k % colors.size()], expected);
+    plot.add_guide(k == 0 ? name_of_growth : "", colors[k % colors.size()], expected);
   }
   return plot;
 }

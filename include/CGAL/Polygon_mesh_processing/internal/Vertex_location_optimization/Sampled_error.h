@@ -154,7 +154,7 @@ public:
     });
     double result = 0;
     for(auto f = faces.begin(); f != end && sampled_maximum(*f) > near * result; ++f)
-      result = (std::max)(result, lattice_maximum(*f, m_points).first);
+      result = (std::max)(result, lattice_maximum(*f, m_points).distance);
     return result;
   }
 
@@ -163,13 +163,13 @@ public:
   bool has_grown(std::size_t f) const
   {
     constexpr double margin = 0.995; // for what they miss
-    if(lattice_maximum(f, m_points).first > lattice_maximum(f, m_state.initial_points).first)
+    if(lattice_maximum(f, m_points).distance > lattice_maximum(f, m_state.initial_points).distance)
       return true;
-    const auto [distance, x] = climb_to_maximum(f, m_points);
-    const double distance_in_remesh = climb_to_maximum(f, m_state.initial_points).first;
-    return distance > distance_in_remesh ||
-           (distance > margin * distance_in_remesh &&
-            point_at(triangle(f), x) != point_at(m_state.mesh.triangle(f, m_state.initial_points), x));
+    const Face_point farthest = climb_to_maximum(f, m_points);
+    const double distance_in_remesh = climb_to_maximum(f, m_state.initial_points).distance;
+    return farthest.distance > distance_in_remesh ||
+           (farthest.distance > margin * distance_in_remesh &&
+            point_at(triangle(f), farthest.x) != point_at(m_state.mesh.triangle(f, m_state.initial_points), farthest.x));
   }
 
   // of face f to the normals of the reference at the foot of the barycenter
@@ -184,12 +184,12 @@ public:
     const double sampled = sampled_maximum(f);
     if(!(sampled >= near * threshold))
       return sampled;
-    if(sampled < nearer * threshold &&
-       lattice_maximum(f, m_points, 4, &Sampled_error::distance_near).first < nearer * threshold)
+    const auto project_roughly = [&](const Point& p, const Foot& hint) { return project_near(m_reference, p, hint); };
+    if(sampled < nearer * threshold && lattice_maximum(f, m_points, 4, project_roughly).distance < nearer * threshold)
       return sampled;
-    const double result = (std::max)(sampled, climb_to_maximum(f, m_points).first);
+    const double result = (std::max)(sampled, climb_to_maximum(f, m_points).distance);
     if(result >= nearest * threshold && result <= threshold)
-      return (std::max)(result, climb_to_maximum(f, m_points, 24).first);
+      return (std::max)(result, climb_to_maximum(f, m_points, 24).distance);
     return result;
   }
 
@@ -237,62 +237,70 @@ private:
     return result;
   }
 
-  // the largest distance on a lattice on face f with its vertices at `points`, and where it is
-  std::pair<double, Coordinates> lattice_maximum(
-    std::size_t f,
-    const std::vector<Point>& points,
-    int level = 8,
-    double (Sampled_error::*distance)(const Point&, const Foot&) const = &Sampled_error::distance) const
+  // a point of a face
+  struct Face_point
+  {
+    double distance;
+    Coordinates x;
+    Foot foot;
+  };
+
+  // The point of the largest distance on a lattice on face f with its vertices at `points`.
+  Face_point lattice_maximum(std::size_t f, const std::vector<Point>& points, int level = 8) const
+  {
+    return lattice_maximum(f, points, level, [&](const Point& p, const Foot& hint) { return project(p, hint); });
+  }
+
+  // The same with feet by `project(p, hint)`. From row to row it goes to and fro: each foot is a hint for the next.
+  template <typename Project>
+  Face_point lattice_maximum(std::size_t f, const std::vector<Point>& points, int level, const Project& project) const
   {
     const std::array<Point, 3> t = m_state.mesh.triangle(f, points);
-    std::pair<double, Coordinates> best{ -1, Coordinates() };
+    Foot foot = m_state.vertex_samples.hint(m_state.mesh.faces[f][0]);
+    Face_point best{ -1, Coordinates(), foot };
     for(int i = 0; i <= level; ++i)
-      for(int j = 0; j <= level - i; ++j)
+      for(int k = 0; k <= level - i; ++k)
       {
+        const int j = i % 2 == 0 ? k : level - i - k;
         const Coordinates x{ double(i) / level, double(j) / level };
-        const double d = (this->*distance)(point_at(t, x), m_state.vertex_samples.hint(m_state.mesh.faces[f][0]));
-        if(d > best.first)
-          best = { d, x };
+        const Point p = point_at(t, x);
+        foot = project(p, foot);
+        const double d = distance_to_foot(p, foot);
+        if(d > best.distance)
+          best = { d, x, foot };
       }
     return best;
   }
 
-  // the largest distance that is found by climbing from that on the lattice, and where it is
-  std::pair<double, Coordinates> climb_to_maximum(std::size_t f, const std::vector<Point>& points, int level = 8) const
+  // The point to which climbing from that on the lattice leads.
+  Face_point climb_to_maximum(std::size_t f, const std::vector<Point>& points, int level = 8) const
   {
     constexpr int number_of_halvings = 5;
     const std::array<Point, 3> t = m_state.mesh.triangle(f, points);
-    auto [result, best] = lattice_maximum(f, points, level);
+    Face_point best = lattice_maximum(f, points, level);
     double step = 0.5 / level;
     for(int i = 0; i < number_of_halvings; ++i, step /= 2)
     {
-      const Coordinates center = best;
+      const Face_point center = best;
       for(const auto& [u, v] : { std::pair(1, 0), std::pair(0, 1), std::pair(-1, 1),
                                  std::pair(-1, 0), std::pair(0, -1), std::pair(1, -1) })
       {
-        const Coordinates x{ center.u + step * u, center.v + step * v };
+        const Coordinates x{ center.x.u + step * u, center.x.v + step * v };
         if(x.u < 0 || x.v < 0 || x.u + x.v > 1)
           continue;
-        const double d = distance(point_at(t, x), m_state.vertex_samples.hint(m_state.mesh.faces[f][0]));
-        if(d > result)
-        {
-          result = d;
-          best = x;
-        }
+        const Point p = point_at(t, x);
+        const Foot foot = project(p, center.foot);
+        const double d = distance_to_foot(p, foot);
+        if(d > best.distance)
+          best = { d, x, foot };
       }
     }
-    return { result, best };
+    return best;
   }
 
-  double distance(const Point& p, const Foot& hint) const
-  {
-    return distance_to_foot(p, m_reference.project(convert<Reference_point>(p), hint));
-  }
+  Foot project(const Point& p, const Foot& hint) const { return m_reference.project(convert<Reference_point>(p), hint); }
 
-  double distance_near(const Point& p, const Foot& hint) const
-  {
-    return distance_to_foot(p, project_near(m_reference, p, hint));
-  }
+  double distance(const Point& p, const Foot& hint) const { return distance_to_foot(p, project(p, hint)); }
 
   double distance_to_foot(const Point& p, const Foot& foot) const
   {
@@ -315,7 +323,7 @@ private:
     constexpr double beside = 1e-3; // relative to the mean edge length
     if(squared_distance(p, query) <= square(beside * m_state.mean_edge_length))
       return norm(samples.offset(i) - (p - query));
-    return distance_near(p, samples.hint(i));
+    return distance_to_foot(p, project_near(m_reference, p, samples.hint(i)));
   }
 
   void sample_barycenter(std::size_t f)

@@ -32,7 +32,7 @@ run_with()
 need_packages "${base_packages[@]}"
 need_data
 export UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1
-export TSAN_OPTIONS=halt_on_error=1
+export TSAN_OPTIONS=halt_on_error=1:suppressions=$root/test/sanitizers/thread_sanitizer.supp
 
 run_with address,undefined "$@"
 extra_flags=-I$root/test/sanitizers run_with thread "${parallel_tests[@]}"

@@ -108,20 +108,20 @@ void test_flat(const Mesh& mesh, double near_by, double far_away)
   }
 }
 
-// With a foot nearby as hint, however near, the foot is that of the query.
+// With the foot of a point nearby as hint, however near, the foot is that of the query.
 void test_hints()
 {
-  start_topic("A hint does not show in the foot");
+  start_topic("A hint does not move the foot");
   const PN_surface surface(make_mesh(icosphere(2)));
   for(int i = 0; i < 200; ++i)
   {
     const Point query = CGAL::ORIGIN + 1.1 * unit(random_vector(1));
-    const auto foot = surface.project(query);
-    for(double shift = 1e-9; shift < 1; shift *= 10)
+    const Point expected = surface.point(surface.project(query));
+    for(double distance = 1e-9; distance < 1; distance *= 10)
     {
-      auto hint = foot;
-      hint.coordinates.u += shift;
-      CHECK_AT_MOST(norm(surface.point(surface.project(query, hint)) - surface.point(foot)), 1e-11);
+      const auto hint = surface.project(query + random_vector(distance));
+      CHECK_AT_MOST(norm(surface.point(surface.project(query, hint)) - expected), 1e-11);
+      CHECK_AT_MOST(norm(surface.point(surface.project_near(query, hint)) - expected), 1e-11);
     }
   }
 }

@@ -265,7 +265,7 @@ optimize_vertex_locations(TriangleMesh& tmesh,
       return Vertex_location_optimization_report();
 
     using Surface = std::decay_t<decltype(surface)>;
-    Optimization_state<typename Surface::Foot> state(std::move(mesh), std::move(constraints), options.placement_method);
+    Optimization_state<Hint_of<Surface>> state(std::move(mesh), std::move(constraints), options.placement_method);
     const auto report = optimize<ConcurrencyTag>(state, surface, options, allow_move, find_self_intersections, visitor);
 
     for(std::size_t i = 0; i < state.mesh.points.size(); ++i)

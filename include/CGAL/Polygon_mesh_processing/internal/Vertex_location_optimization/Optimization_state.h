@@ -37,8 +37,8 @@ struct Constraints
   std::vector<Index> edges;        // the constrained edges and the border edges
 };
 
-// What the phases of an iteration read and write. Foot is that of the reference surface.
-template <typename Foot>
+// What the phases of an iteration read and write. Hint is the `Hint_of` the reference surface.
+template <typename Hint>
 struct Optimization_state
 {
   Optimization_state(Mesh_arrays mesh_arrays, Constraints c, const Placement_method method)
@@ -82,9 +82,9 @@ struct Optimization_state
   std::vector<Point> initial_points;        // of M_0
   std::vector<Point> targets;               // p^_i, which become the points of M_t+1; before they are set, M_t-1
 
-  Reference_samples<Foot> vertex_samples;     // p_i and n_i
-  Reference_samples<Foot> midpoint_samples;   // m_ij, with normals if the fit takes them
-  Reference_samples<Foot> barycenter_samples; // empty if the fit takes none
+  Reference_samples<Hint> vertex_samples;     // p_i and n_i
+  Reference_samples<Hint> midpoint_samples;   // m_ij, with normals if the fit takes them
+  Reference_samples<Hint> barycenter_samples; // empty if the fit takes none
 
   double spring_length = 0;                 // sigma of (3)
   double mean_edge_length = 0;              // of M_0

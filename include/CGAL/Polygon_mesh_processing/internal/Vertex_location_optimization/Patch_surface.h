@@ -41,6 +41,7 @@ public:
   using Point_3 = typename Geom_traits::Point_3;
   using Vector_3 = typename Geom_traits::Vector_3;
   using Foot = Patch_foot;
+  using Hint = Patch_hint; // what a hint needs of a foot; not part of the concept
 
   bool is_empty() const { return m_patches.tree.empty(); }
 

@@ -6,8 +6,8 @@
 #ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_REFERENCE_SAMPLES_H
 #define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_REFERENCE_SAMPLES_H
 
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/geometry.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/memory.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Patch_tree.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -27,6 +27,22 @@ template <typename Surface>
 struct Can_project_near<Surface, std::void_t<decltype(std::declval<const Surface&>().project_near(
                                    std::declval<typename Surface::Point_3>(), std::declval<typename Surface::Foot>()))>>
   : std::true_type {};
+
+// What is kept of a foot to be the hint for the next one: the foot, unless the surface says that less is enough.
+template <typename Surface, typename = void>
+struct Hint_type
+{
+  using type = typename Surface::Foot;
+};
+
+template <typename Surface>
+struct Hint_type<Surface, std::enable_if_t<std::is_convertible<typename Surface::Hint, typename Surface::Foot>::value>>
+{
+  using type = typename Surface::Hint;
+};
+
+template <typename Surface>
+using Hint_of = typename Hint_type<Surface>::type;
 
 // The closest point to `query` as far as walking from `hint` leads, where the reference surface can do that.
 template <typename ReferenceSurface>
@@ -48,15 +64,6 @@ void prefetch_near(const ReferenceSurface& reference, const typename ReferenceSu
     reference.prefetch(hint);
 }
 
-// Asks for what `project_near()` reads first for the query some places after query i of n; `hint_at(k)` is the hint of query k.
-template <typename ReferenceSurface, typename HintAt>
-void prefetch_ahead(const ReferenceSurface& reference, std::size_t i, std::size_t n, const HintAt& hint_at)
-{
-  constexpr std::size_t ahead = 8;
-  if(i + ahead < n)
-    prefetch_near(reference, hint_at(i + ahead));
-}
-
 // When a foot is computed anew.
 struct Sampling_tolerance
 {
@@ -65,22 +72,9 @@ struct Sampling_tolerance
   bool slides;     // whether it moves along with its query in the tangent plane until then
 };
 
-// What is kept of a foot, to be the hint for the next one.
-template <typename Foot>
-struct Hint_of_foot
-{
-  using type = Foot;
-};
-
-template <>
-struct Hint_of_foot<Patch_foot>
-{
-  using type = Patch_hint;
-};
-
 // The points and normals of the reference at the feet of queries, which move from iteration to iteration. There are four
 // samples a vertex, and they make most of the memory: what need not be exact is kept in less.
-template <typename Foot>
+template <typename Hint>
 class Reference_samples
 {
 public:
@@ -95,7 +89,7 @@ public:
 
   const Vector& offset(std::size_t i) const { return m_offsets[i]; } // from the query to the point
   const Vector& normal(std::size_t i) const { return m_normals[i]; } // unit or null
-  Foot hint(std::size_t i) const { return m_hints[i]; } // near the point
+  const Hint& hint(std::size_t i) const { return m_hints[i]; } // for the foot
 
   // keeps the offsets and hints alone
   void end_updates()
@@ -109,14 +103,14 @@ public:
   void set_offset(std::size_t i, const Vector& offset) { m_offsets[i] = offset; }
 
   // takes sample i at the closest point to `query`; `hint` is the foot of a point nearby
-  template <typename ReferenceSurface, typename... Hint>
-  void project(std::size_t i, const ReferenceSurface& reference, const Point& query, const Hint&... hint)
+  template <typename ReferenceSurface, typename... Hints>
+  void project(std::size_t i, const ReferenceSurface& reference, const Point& query, const Hints&... hint)
   {
     set_closest(i, reference, query, reference.project(convert<typename ReferenceSurface::Point_3>(query), hint...));
   }
 
   // takes sample i at `foot`, the closest point to `query`
-  template <typename ReferenceSurface>
+  template <typename ReferenceSurface, typename Foot>
   void set_closest(std::size_t i, const ReferenceSurface& reference, const Point& query, const Foot& foot)
   {
     set(i, reference, query, foot);
@@ -158,7 +152,7 @@ public:
   }
 
 private:
-  template <typename ReferenceSurface>
+  template <typename ReferenceSurface, typename Foot>
   void set(std::size_t i, const ReferenceSurface& reference, const Point& query, const Foot& foot)
   {
     m_offsets[i] = convert<Point>(reference.point(foot)) - query;
@@ -171,7 +165,7 @@ private:
   double m_unit;
   std::vector<Vector> m_offsets;
   std::vector<Vector> m_normals;
-  std::vector<typename Hint_of_foot<Foot>::type> m_hints; // the feet of the last time
+  std::vector<Hint> m_hints;            // from the last feet
   std::vector<float> m_distance_bounds; // from the queries to the reference, in units
   std::vector<float> m_paths;           // of the queries since their feet were computed, in units
 };

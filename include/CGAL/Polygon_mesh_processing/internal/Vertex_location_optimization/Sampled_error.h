@@ -48,7 +48,8 @@ class Sampled_error
 {
   using Foot = typename ReferenceSurface::Foot;
   using Reference_point = typename ReferenceSurface::Point_3;
-  using State = Optimization_state<Foot>;
+  using Hint = Hint_of<ReferenceSurface>;
+  using State = Optimization_state<Hint>;
 
 public:
   // `points` are where the vertices are
@@ -78,7 +79,9 @@ public:
       [&](std::size_t e) { sample_midpoint(e); },
       [&](std::size_t f)
       {
-        prefetch_ahead(m_reference, f, m_state.mesh.faces.size(), [&](std::size_t g) { return hint_near(g); });
+        constexpr std::size_t ahead = 8;
+        if(f + ahead < m_state.mesh.faces.size())
+          prefetch_near(m_reference, hint_near(f + ahead));
         sample_barycenter(f);
       });
   }
@@ -226,8 +229,8 @@ private:
     return midpoint(m_points[ends[0]], m_points[ends[1]]);
   }
 
-  // a foot near the barycenter of face f
-  Foot hint_near(std::size_t f) const { return m_state.midpoint_samples.hint(m_state.mesh.edge_at_first_vertex(f)); }
+  // for the barycenter of face f
+  const Hint& hint_near(std::size_t f) const { return m_state.midpoint_samples.hint(m_state.mesh.edge_at_first_vertex(f)); }
 
   double sampled_maximum(std::size_t f) const
   {
@@ -237,7 +240,7 @@ private:
     return result;
   }
 
-  // a point of a face
+  // a point of a face with its foot and distance
   struct Face_point
   {
     double distance;
@@ -318,7 +321,7 @@ private:
   }
 
   // The distance of `p`, which was at `query` when sample i was taken.
-  double distance_to_sample(const Point& p, const Point& query, const Reference_samples<Foot>& samples, std::size_t i) const
+  double distance_to_sample(const Point& p, const Point& query, const Reference_samples<Hint>& samples, std::size_t i) const
   {
     constexpr double beside = 1e-3; // relative to the mean edge length
     if(squared_distance(p, query) <= square(beside * m_state.mean_edge_length))

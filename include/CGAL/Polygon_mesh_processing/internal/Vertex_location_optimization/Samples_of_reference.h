@@ -68,8 +68,8 @@ void choose_reference_samples(const ReferenceSurface& reference,
 
 // Walks from face to face of the remesh as long as that leads closer to `query`: from a foot on the boundary of its face
 // to the faces around.
-template <typename Foot>
-void walk_on_remesh(const Optimization_state<Foot>& state, const Point& query, Patch_foot& foot)
+template <typename Hint>
+void walk_on_remesh(const Optimization_state<Hint>& state, const Point& query, Patch_foot& foot)
 {
   constexpr double on_boundary = 1e-12;
   const Mesh_arrays& mesh = state.mesh;
@@ -139,8 +139,8 @@ inline void sort_by_face(Samples_of_reference& of_reference)
 
 // Finds the closest points of the remesh to the samples of the reference with a tree. Neighbors among the samples follow
 // each other: the face of one is a hint for the next.
-template <typename ConcurrencyTag, typename Foot>
-void find_closest_faces(const Optimization_state<Foot>& state, Samples_of_reference& of_reference)
+template <typename ConcurrencyTag, typename Hint>
+void find_closest_faces(const Optimization_state<Hint>& state, Samples_of_reference& of_reference)
 {
   const Mesh_arrays& mesh = state.mesh;
   std::vector<Reference_sample>& samples = of_reference.samples;
@@ -168,8 +168,8 @@ void find_closest_faces(const Optimization_state<Foot>& state, Samples_of_refere
 }
 
 // Finds them from the last closest points, but keeps those of faces whose vertices have gone no farther than `tolerance`.
-template <typename ConcurrencyTag, typename Foot>
-void walk_to_closest_faces(const Optimization_state<Foot>& state,
+template <typename ConcurrencyTag, typename Hint>
+void walk_to_closest_faces(const Optimization_state<Hint>& state,
                            const double tolerance,
                            Samples_of_reference& of_reference)
 {

@@ -60,7 +60,7 @@ template <typename ConcurrencyTag,
           typename Visitor>
 class Vertex_location_optimizer
 {
-  using State = Optimization_state<typename ReferenceSurface::Foot>;
+  using State = Optimization_state<Hint_of<ReferenceSurface>>;
 
 public:
   Vertex_location_optimizer(State& state,
@@ -295,7 +295,7 @@ template <typename ConcurrencyTag,
           typename AllowMove,
           typename FindSelfIntersections,
           typename Visitor>
-Vertex_location_optimization_report optimize(Optimization_state<typename ReferenceSurface::Foot>& state,
+Vertex_location_optimization_report optimize(Optimization_state<Hint_of<ReferenceSurface>>& state,
                                              const ReferenceSurface& reference,
                                              const Options& options,
                                              const AllowMove& allow_move,

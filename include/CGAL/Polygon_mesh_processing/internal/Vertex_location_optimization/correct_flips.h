@@ -21,11 +21,11 @@ namespace vertex_location {
 // A face is bad if it is flipped: the targets of its vertices turn its normal by more than 60 degrees from that in the
 // remesh; or if it collapses: its smallest angle falls below 10 degrees and below half of that in the remesh. A face that
 // has no area in the remesh is never bad.
-template <typename Foot>
+template <typename Hint>
 class Flip_criterion
 {
 public:
-  explicit Flip_criterion(const Optimization_state<Foot>& state) : m_state(state) {}
+  explicit Flip_criterion(const Optimization_state<Hint>& state) : m_state(state) {}
 
   bool is_bad(std::size_t f) const
   {
@@ -59,14 +59,14 @@ private:
     return square(twice_area) / (std::max)({ a * b, b * c, c * a });
   }
 
-  const Optimization_state<Foot>& m_state;
+  const Optimization_state<Hint>& m_state;
 };
 
 // Shortens moves of this iteration until no face is flipped or collapsed.
-template <typename ConcurrencyTag, typename Foot>
-void correct_flips(Optimization_state<Foot>& state, std::vector<char>& is_shortened)
+template <typename ConcurrencyTag, typename Hint>
+void correct_flips(Optimization_state<Hint>& state, std::vector<char>& is_shortened)
 {
-  Flip_criterion<Foot> criterion(state);
+  Flip_criterion<Hint> criterion(state);
   shorten_moves<ConcurrencyTag>(state, state.mesh.points, criterion, is_shortened);
 }
 

@@ -88,8 +88,8 @@ private:
 
 // What the samples in face f, but for those at its vertices, say to each of its vertices. With the weights 1/20 at the
 // vertices, 2/15 at the midpoints and 9/20 at the barycenter they integrate cubics exactly.
-template <typename Foot>
-std::array<Normal_equations, 3> face_equations(const Optimization_state<Foot>& state,
+template <typename Hint>
+std::array<Normal_equations, 3> face_equations(const Optimization_state<Hint>& state,
                                                const Samples_of_reference& of_reference,
                                                const std::size_t f,
                                                const double area)
@@ -170,8 +170,8 @@ struct Vertex_equations
 
 // Calls f(i, equations) for each vertex i of the mesh. Blocks of vertices that follow each other are also close to each
 // other: only the faces at the border of a block are visited for several of them.
-template <typename ConcurrencyTag, typename Foot, typename F>
-void for_each_vertex_equations(const Optimization_state<Foot>& state, const Samples_of_reference& of_reference, const F& f)
+template <typename ConcurrencyTag, typename Hint, typename F>
+void for_each_vertex_equations(const Optimization_state<Hint>& state, const Samples_of_reference& of_reference, const F& f)
 {
   constexpr std::size_t block_size = 512; // of vertices
 
@@ -208,8 +208,8 @@ void for_each_vertex_equations(const Optimization_state<Foot>& state, const Samp
 // Moves each free vertex towards the least squares fit of its faces to the samples of both surfaces, its neighbors held
 // fixed. The equations of the vertices are solved independently of each other, hence the relaxation factor; part of the
 // last displacement is repeated to get there sooner. A vertex whose samples fit stays.
-template <typename ConcurrencyTag, typename Foot>
-void fit_least_squares(Optimization_state<Foot>& state,
+template <typename ConcurrencyTag, typename Hint>
+void fit_least_squares(Optimization_state<Hint>& state,
                        const Samples_of_reference& of_reference,
                        const double regularity_weight)
 {

@@ -28,8 +28,8 @@ Vector piecewise_linear_update(const Index i, const CornerSignal& p, const Midpo
 // weighted by the areas of the faces of M_t, equations (1) and (2). What is fitted is the way from M_t to the samples:
 // what is linear in each face, as M_t is, cancels out. If `along_normal`, only the part of the update along n_i is taken,
 // measured from p_i. A vertex that is not free, or whose faces have no area, stays.
-template <typename ConcurrencyTag, typename Foot>
-void fit_piecewise_linear(Optimization_state<Foot>& state, const bool along_normal)
+template <typename ConcurrencyTag, typename Hint>
+void fit_piecewise_linear(Optimization_state<Hint>& state, const bool along_normal)
 {
   const Mesh_arrays& mesh = state.mesh;
   std::vector<double> areas(mesh.faces.size());

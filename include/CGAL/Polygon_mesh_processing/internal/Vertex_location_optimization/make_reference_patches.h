@@ -17,6 +17,7 @@
 
 #include <boost/container/small_vector.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -114,9 +115,9 @@ struct Reference_patches
   // than the tree, and the same point unless another sheet of the surface is closer.
   Patch_foot walk(const Point& query, const Patch_foot& hint) const
   {
-    double distance;
-    Patch_foot foot = tree.project_to_patch(query, approach(query, hint.patch), distance);
-    while(step_to_neighbor(query, foot, distance))
+    double distance2;
+    Patch_foot foot = tree.project_to_patch(query, approach(query, hint.patch), distance2);
+    while(step_to_neighbor(query, foot, distance2))
       ;
     return foot;
   }
@@ -210,13 +211,13 @@ private:
     return { corner / 3, { mu[1], mu[2] } };
   }
 
-  bool step_to_neighbor(const Point& query, Patch_foot& foot, double& distance) const
+  bool step_to_neighbor(const Point& query, Patch_foot& foot, double& squared_distance) const
   {
     for(Index k = 0; k < 3; ++k)
     {
       Patch_foot neighbor = foot_across(foot, k);
       if(neighbor.patch != no_index &&
-         tree.patch(neighbor.patch).improve_foot_from(query, neighbor.coordinates, distance))
+         tree.patch(neighbor.patch).improve_foot_from(query, neighbor.coordinates, squared_distance))
       {
         foot = neighbor;
         return true;

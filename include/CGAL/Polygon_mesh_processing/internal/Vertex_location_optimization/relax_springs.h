@@ -16,8 +16,8 @@ namespace vertex_location {
 // Section 3.3: springs between neighbors, equations (3) and (4), keep the vertices apart. Their force is taken in the
 // tangent plane: along the normal it would only push the surface outwards. A vertex that the fit leaves where it is
 // needs no spring: planar parts stay as they are.
-template <typename ConcurrencyTag, typename Foot>
-void relax_springs(Optimization_state<Foot>& state, const std::size_t number_of_steps)
+template <typename ConcurrencyTag, typename Hint>
+void relax_springs(Optimization_state<Hint>& state, const std::size_t number_of_steps)
 {
   const Mesh_arrays& mesh = state.mesh;
   const double two_sigma2 = 2 * state.spring_length * state.spring_length;

@@ -11,7 +11,6 @@
 
 #include <boost/container/small_vector.hpp>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -25,7 +24,7 @@ namespace vertex_location {
 // samples are taken, too, if the state has them.
 template <typename ConcurrencyTag, typename ReferenceSurface, typename OnBarycenter>
 void start_samples(const ReferenceSurface& reference,
-                   Optimization_state<typename ReferenceSurface::Foot>& state,
+                   Optimization_state<Hint_of<ReferenceSurface>>& state,
                    const OnBarycenter& on_barycenter)
 {
   const Mesh_arrays& mesh = state.mesh;
@@ -54,11 +53,11 @@ void start_samples(const ReferenceSurface& reference,
 template <typename ConcurrencyTag, typename ReferenceSurface, typename VerticesAt, typename QueryAt>
 void update_samples(const ReferenceSurface& reference,
                     const Sampling_tolerance& tolerance,
-                    const Optimization_state<typename ReferenceSurface::Foot>& state,
+                    const Optimization_state<Hint_of<ReferenceSurface>>& state,
                     const std::size_t n,
                     const VerticesAt& vertices_at,
                     const QueryAt& query_at,
-                    Reference_samples<typename ReferenceSurface::Foot>& samples)
+                    Reference_samples<Hint_of<ReferenceSurface>>& samples)
 {
   constexpr std::size_t block_size = 256;
   for_each_block<ConcurrencyTag>(n, block_size, [&](std::size_t begin, std::size_t end)
@@ -98,7 +97,7 @@ void update_samples(const ReferenceSurface& reference,
 template <typename ConcurrencyTag, typename ReferenceSurface>
 void update_samples(const ReferenceSurface& reference,
                     const Sampling_tolerance& tolerance,
-                    Optimization_state<typename ReferenceSurface::Foot>& state)
+                    Optimization_state<Hint_of<ReferenceSurface>>& state)
 {
   const Mesh_arrays& mesh = state.mesh;
   update_samples<ConcurrencyTag>(
@@ -117,12 +116,11 @@ void update_samples(const ReferenceSurface& reference,
 
 // Takes the samples at the closest points.
 template <typename ConcurrencyTag, typename ReferenceSurface>
-void sample_closest_points(const ReferenceSurface& reference, Optimization_state<typename ReferenceSurface::Foot>& state)
+void sample_closest_points(const ReferenceSurface& reference, Optimization_state<Hint_of<ReferenceSurface>>& state)
 {
   const Mesh_arrays& mesh = state.mesh;
   const auto project = [&](auto& samples, std::size_t k, const Point& query)
   {
-    prefetch_ahead(reference, k, samples.size(), [&](std::size_t l) { return samples.hint(l); });
     samples.project(k, reference, query, samples.hint(k));
   };
 

@@ -30,8 +30,8 @@ inline void halve_move(const Point& origin, Point& target, int& number_of_halvin
 //
 // `criterion.is_bad(f)` says whether face f is bad, `criterion.update(i)` tells that the target of vertex i has changed.
 // A bad face whose vertices are all at their origins stays as it is.
-template <typename ConcurrencyTag, typename Foot, typename Criterion>
-void shorten_moves(Optimization_state<Foot>& state,
+template <typename ConcurrencyTag, typename Hint, typename Criterion>
+void shorten_moves(Optimization_state<Hint>& state,
                    const std::vector<Point>& origins,
                    Criterion& criterion,
                    std::vector<char>& is_shortened)

@@ -26,7 +26,8 @@ template <typename ReferenceSurface>
 class Harm_criterion
 {
   using Foot = typename ReferenceSurface::Foot;
-  using State = Optimization_state<Foot>;
+  using Hint = Hint_of<ReferenceSurface>;
+  using State = Optimization_state<Hint>;
 
 public:
   Harm_criterion(const ReferenceSurface& reference, const State& state)
@@ -104,7 +105,7 @@ private:
 
   const ReferenceSurface& m_reference;
   const State& m_state;
-  Flip_criterion<Foot> m_flips;
+  Flip_criterion<Hint> m_flips;
   Sampled_error<ReferenceSurface> m_error;
   std::vector<double> m_integrals_of_remesh; // of the error over each face, if the criterion is strict
   std::vector<Opposition> m_oppositions_of_remesh;
@@ -122,8 +123,8 @@ class Find_new_intersections
 public:
   explicit Find_new_intersections(const FindSelfIntersections& find) : m_find(find) {}
 
-  template <typename Foot>
-  Face_pairs operator()(const Optimization_state<Foot>& state)
+  template <typename Hint>
+  Face_pairs operator()(const Optimization_state<Hint>& state)
   {
     const Face_pairs of_targets = m_find(state.targets);
     if(of_targets.empty())
@@ -144,8 +145,8 @@ private:
 };
 
 // Halves the moves of the vertices of these pairs of faces; returns whether there were any.
-template <typename Foot, typename FacePairs>
-bool separate_faces(Optimization_state<Foot>& state,
+template <typename Hint, typename FacePairs>
+bool separate_faces(Optimization_state<Hint>& state,
                     const FacePairs& pairs,
                     std::vector<int>& number_of_halvings,
                     std::vector<char>& is_shortened)
@@ -176,7 +177,7 @@ bool separate_faces(Optimization_state<Foot>& state,
 // `find_self_intersections` is a `Self_intersection_test`.
 template <typename ConcurrencyTag, typename ReferenceSurface, typename RefuseMoves, typename FindSelfIntersections>
 void take_back_harm(Harm_criterion<ReferenceSurface>& criterion,
-                    Optimization_state<typename ReferenceSurface::Foot>& state,
+                    Optimization_state<Hint_of<ReferenceSurface>>& state,
                     const RefuseMoves& refuse_moves,
                     const FindSelfIntersections& find_self_intersections,
                     std::vector<char>& is_shortened)

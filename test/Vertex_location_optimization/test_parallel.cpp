@@ -6,6 +6,7 @@
 // The parallel version gives the result of the sequential one, to the last bit, with any number of threads.
 
 #include "check.h"
+#include "Exact_sphere.h"
 #include "mesh_quality.h"
 #include "test_meshes.h"
 
@@ -27,8 +28,8 @@ struct Result
   Report report;
 };
 
-template <typename ConcurrencyTag>
-Result optimize(Mesh mesh, const Mesh& reference, PMP::Placement_method method)
+template <typename ConcurrencyTag, typename Reference>
+Result optimize(Mesh mesh, const Reference& reference, PMP::Placement_method method)
 {
   Result result;
   result.report = PMP::optimize_vertex_locations<ConcurrencyTag>(mesh, reference,
@@ -46,6 +47,28 @@ void check_same(const Result& a, const Result& b)
   CHECK_EQUAL(a.report.corrected_vertices, b.report.corrected_vertices);
 }
 
+template <typename Reference>
+void test_threads(const std::string& name, const Mesh& mesh, const Reference& reference, PMP::Placement_method method)
+{
+  start_topic(name + ", sequential");
+  const Result expected = optimize<CGAL::Sequential_tag>(mesh, reference, method);
+  CHECK_LESS(0u, expected.report.corrected_vertices);
+  CHECK(expected.points != points_of(mesh));
+  check_same(optimize<CGAL::Sequential_tag>(mesh, reference, method), expected);
+
+  for(int number_of_threads : { 1, 2, 3, 7 })
+  {
+    start_topic(name + ", " + std::to_string(number_of_threads) + " threads");
+    tbb::global_control control(tbb::global_control::max_allowed_parallelism, number_of_threads);
+    tbb::task_arena arena(number_of_threads); // also where there are fewer cores
+    for(int i = 0; i < 2; ++i)
+    {
+      arena.execute([&] { check_same(optimize<CGAL::Parallel_tag>(mesh, reference, method), expected); });
+      arena.execute([&] { check_same(optimize<CGAL::Parallel_if_available_tag>(mesh, reference, method), expected); });
+    }
+  }
+}
+
 int main()
 {
   // an irregular mesh, rough enough that moves must be shortened, of some thousand vertices
@@ -57,26 +80,8 @@ int main()
   }));
   const Mesh reference = make_mesh(icosphere(3));
 
-  for(PMP::Placement_method method : { PMP::PIECEWISE_LINEAR, PMP::LEAST_SQUARES })
-  {
-    const std::string name = method == PMP::LEAST_SQUARES ? "least squares, " : "piecewise linear, ";
-    start_topic(name + "sequential");
-    const Result expected = optimize<CGAL::Sequential_tag>(mesh, reference, method);
-    CHECK_LESS(0u, expected.report.corrected_vertices);
-    CHECK(expected.points != points_of(mesh));
-    check_same(optimize<CGAL::Sequential_tag>(mesh, reference, method), expected);
-
-    for(int number_of_threads : { 1, 2, 3, 7 })
-    {
-      start_topic(name + std::to_string(number_of_threads) + " threads");
-      tbb::global_control control(tbb::global_control::max_allowed_parallelism, number_of_threads);
-      tbb::task_arena arena(number_of_threads); // also where there are fewer cores
-      for(int i = 0; i < 2; ++i)
-      {
-        arena.execute([&] { check_same(optimize<CGAL::Parallel_tag>(mesh, reference, method), expected); });
-        arena.execute([&] { check_same(optimize<CGAL::Parallel_if_available_tag>(mesh, reference, method), expected); });
-      }
-    }
-  }
+  test_threads("piecewise linear", mesh, reference, PMP::PIECEWISE_LINEAR);
+  test_threads("least squares", mesh, reference, PMP::LEAST_SQUARES);
+  test_threads("a surface of one's own", mesh, Exact_sphere(CGAL::ORIGIN, 1), PMP::PIECEWISE_LINEAR);
   return test_result();
 }

@@ -43,9 +43,10 @@ struct Optimization_state
 {
   Optimization_state(Mesh_arrays mesh_arrays, Constraints c, const Placement_method method)
     : mesh(std::move(mesh_arrays)), constraints(std::move(c)), initial_points(mesh.points), targets(mesh.points),
-      vertex_samples(mesh.points.size(), unit(), true),
-      midpoint_samples(mesh.edges.size(), unit(), method == LEAST_SQUARES),
-      barycenter_samples(method == LEAST_SQUARES ? mesh.faces.size() : 0, unit(), true)
+      size(longest_side_of_box()),
+      vertex_samples(mesh.points.size(), size, true),
+      midpoint_samples(mesh.edges.size(), size, method == LEAST_SQUARES),
+      barycenter_samples(method == LEAST_SQUARES ? mesh.faces.size() : 0, size, true)
   {
     group_corners_by_vertex();
 
@@ -82,6 +83,8 @@ struct Optimization_state
   std::vector<Point> initial_points;        // of M_0
   std::vector<Point> targets;               // p^_i, which become the points of M_t+1; before they are set, M_t-1
 
+  double size;                              // of M_0: the longest side of its bounding box, 1 if it has none
+
   Reference_samples<Hint> vertex_samples;     // p_i and n_i
   Reference_samples<Hint> midpoint_samples;   // m_ij, with normals if the fit takes them
   Reference_samples<Hint> barycenter_samples; // empty if the fit takes none
@@ -90,8 +93,7 @@ struct Optimization_state
   double mean_edge_length = 0;              // of M_0
 
 private:
-  // the longest side of the bounding box
-  double unit() const
+  double longest_side_of_box() const
   {
     if(mesh.points.empty())
       return 1;

@@ -63,7 +63,7 @@ public:
   void set_barycenter(std::size_t f, const Foot& foot)
   {
     const std::array<Point, 3> t = triangle(f);
-    m_at_barycenter[f] = distance_to_foot(barycenter(f), foot);
+    m_at_barycenter[f] = distance_to_foot(point_at(t, Coordinates()), foot);
     m_opposition[f] = opposition_at(foot, area_normal(t[0], t[1], t[2]));
   }
 
@@ -94,7 +94,7 @@ public:
     for_each_element<ConcurrencyTag>(m_state.mesh,
       [&](std::size_t i) { m_at_vertex[i] = distance(m_points[i], m_state.vertex_samples.hint(i)); },
       [&](std::size_t e) { m_at_midpoint[e] = distance(midpoint_of_edge(e), m_state.midpoint_samples.hint(e)); },
-      [&](std::size_t f) { set_barycenter(f, m_reference.project(convert<Reference_point>(barycenter(f)), hint_near(f))); });
+      [&](std::size_t f) { set_barycenter(f, project(barycenter(f), hint_near(f))); });
   }
 
   // the samples are not needed until they are taken again
@@ -336,7 +336,7 @@ private:
     const Foot foot = project_near(m_reference, p, hint_near(f));
     set_barycenter(f, foot);
     if(m_opposition[f] != Opposition::NONE || m_at_barycenter[f] > near * m_state.mean_edge_length)
-      set_barycenter(f, m_reference.project(convert<Reference_point>(p), foot));
+      set_barycenter(f, project(p, foot));
   }
 
   Opposition opposition_at(const Foot& foot, const Vector& normal) const

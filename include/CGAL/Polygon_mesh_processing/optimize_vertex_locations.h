@@ -242,6 +242,15 @@ optimize_vertex_locations(TriangleMesh& tmesh,
   release(mesh.edge_corners); // what they and the edges are needed for is in the constraints
   release(descriptors.edges);
 
+  const auto read_points = [&]()
+  {
+    std::vector<Point> points;
+    points.reserve(descriptors.vertices.size());
+    for(auto v : descriptors.vertices)
+      points.push_back(convert<Point>(get(vpm, v)));
+    return points;
+  };
+
   auto is_allowed = choose_parameter(get_parameter(np1, internal_np::allow_move_functor), Allow_all_moves());
   const auto allow_move = [&](std::size_t i, const Point& source, const Point& target)
   {
@@ -266,10 +275,11 @@ optimize_vertex_locations(TriangleMesh& tmesh,
 
     using Surface = std::decay_t<decltype(surface)>;
     Optimization_state<Hint_of<Surface>> state(std::move(mesh), std::move(constraints), options.placement_method);
-    const auto report = optimize<ConcurrencyTag>(state, surface, options, allow_move, find_self_intersections, visitor);
+    const auto report = optimize<ConcurrencyTag>(state, surface, options, read_points, allow_move,
+                                                 find_self_intersections, visitor);
 
     for(std::size_t i = 0; i < state.mesh.points.size(); ++i)
-      if(state.mesh.points[i] != state.initial_points[i])
+      if(state.mesh.points[i] != convert<Point>(get(vpm, descriptors.vertices[i])))
         put(vpm, descriptors.vertices[i], convert<Point_3>(state.mesh.points[i]));
     return report;
   });

@@ -29,28 +29,50 @@ namespace vertex_location {
 // a space-filling curve, edges and faces in the order of their first vertices, with which they begin.
 //
 // Corner c = 3 f + k is the corner k of face f. The edge opposite to corner k of f is `face_edges[f][k]`: it goes from
-// the corner k + 1 to the corner k + 2 of f.
+// the corner k + 1 to the corner k + 2 of f, or back. A face is known by its edges alone.
 struct Mesh_arrays
 {
   std::vector<Point> points;
-  std::vector<std::array<Index, 3>> faces;
   std::vector<std::array<Index, 3>> face_edges;
   std::vector<std::array<Index, 2>> edges;
   std::vector<std::array<Index, 2>> edge_corners; // the corners opposite to an edge; no_index: none, a border edge
+
+  std::size_t number_of_faces() const { return face_edges.size(); }
+  Index first_vertex(std::size_t f) const { return edges[face_edges[f][2]][0]; }
+
+  // the first one of the edges, or faces, that begin with vertex i or one after it
+  std::size_t first_edge_from(std::size_t i) const
+  {
+    return std::partition_point(edges.begin(), edges.end(), [&](const auto& e) { return e[0] < i; }) - edges.begin();
+  }
+  std::size_t first_face_from(std::size_t i) const
+  {
+    return std::partition_point(face_edges.begin(), face_edges.end(),
+                                [&](const auto& e) { return edges[e[2]][0] < i; }) - face_edges.begin();
+  }
+
+  // the vertices of face f; two of its edges begin with the first one
+  std::array<Index, 3> face(std::size_t f) const
+  {
+    const std::array<Index, 2>& to_second = edges[face_edges[f][2]];
+    return { to_second[0], to_second[1], edges[face_edges[f][1]][1] };
+  }
 
   std::array<Point, 3> triangle(std::size_t f) const { return triangle(f, points); }
 
   // face f with its vertices at other points
   std::array<Point, 3> triangle(std::size_t f, const std::vector<Point>& at) const
   {
-    return { at[faces[f][0]], at[faces[f][1]], at[faces[f][2]] };
+    const std::array<Index, 3> v = face(f);
+    return { at[v[0]], at[v[1]], at[v[2]] };
   }
 
   Point midpoint(std::size_t e) const { return CGAL::midpoint(points[edges[e][0]], points[edges[e][1]]); }
 
   Point barycenter(std::size_t f) const
   {
-    return centroid(points[faces[f][0]], points[faces[f][1]], points[faces[f][2]]);
+    const std::array<Point, 3> t = triangle(f);
+    return centroid(t[0], t[1], t[2]);
   }
 
   Vector area_normal(std::size_t f) const
@@ -61,7 +83,7 @@ struct Mesh_arrays
 
   double area(std::size_t f) const { return norm(area_normal(f)) / 2; }
 
-  Index vertex(Index corner) const { return faces[corner / 3][corner % 3]; }
+  Index vertex(Index corner) const { return face(corner / 3)[corner % 3]; }
   static Index next(Index corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
   static Index previous(Index corner) { return corner % 3 == 0 ? corner + 2 : corner - 1; }
   Index opposite_edge(Index corner) const { return face_edges[corner / 3][corner % 3]; }
@@ -177,21 +199,18 @@ Mesh_arrays make_mesh_arrays(const TriangleMesh& tmesh,
   }
   sort_by_first_vertex(face_order);
 
-  mesh.faces.reserve(face_order.size());
   mesh.face_edges.reserve(face_order.size());
   mesh.edge_corners.resize(mesh.edges.size(), { no_index, no_index });
   descriptors.halfedges.reserve(face_order.size());
   for(const auto& key_and_halfedge : face_order)
   {
-    const Index f = static_cast<Index>(mesh.faces.size());
-    mesh.faces.emplace_back();
+    const Index f = static_cast<Index>(mesh.face_edges.size());
     mesh.face_edges.emplace_back();
     Index k = 0;
     for(auto h : halfedges_around_face(key_and_halfedge.second, tmesh))
     {
       // the edge opposite to a corner is that of the halfedge after the next
       const Index e = get(edge_index, edge(prev(h, tmesh), tmesh));
-      mesh.faces[f][k] = get(vertex_index, target(h, tmesh));
       mesh.face_edges[f][k] = e;
       mesh.edge_corners[e][mesh.edge_corners[e][0] == no_index ? 0 : 1] = 3 * f + k;
       ++k;

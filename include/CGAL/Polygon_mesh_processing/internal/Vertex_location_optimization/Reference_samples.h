@@ -10,7 +10,10 @@
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/memory.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -78,10 +81,10 @@ template <typename Hint>
 class Reference_samples
 {
 public:
-  // `unit` is a length of the size of the mesh; it keeps lengths in the range of single precision
-  Reference_samples(const std::size_t n, const double unit, const bool has_normals)
-    : m_unit(unit), m_offsets(n, NULL_VECTOR), m_normals(has_normals ? n : 0, NULL_VECTOR), m_hints(n),
-      m_distance_bounds(n, 0), m_paths(n, 0)
+  // no tolerance may let a query go as far as a quarter of `mean_edge_length`
+  Reference_samples(const std::size_t n, const double mean_edge_length, const bool has_normals)
+    : m_path_unit((std::max)(0.25 * mean_edge_length / max_path, (std::numeric_limits<double>::min)())),
+      m_offsets(n, NULL_VECTOR), m_normals(has_normals ? n : 0, NULL_VECTOR), m_hints(n), m_paths(n, 0)
   {}
 
   std::size_t size() const { return m_hints.size(); }
@@ -95,7 +98,6 @@ public:
   void end_updates()
   {
     release(m_normals);
-    release(m_distance_bounds);
     release(m_paths);
   }
 
@@ -106,15 +108,18 @@ public:
   template <typename ReferenceSurface, typename... Hints>
   void project(std::size_t i, const ReferenceSurface& reference, const Point& query, const Hints&... hint)
   {
-    set_closest(i, reference, query, reference.project(convert<typename ReferenceSurface::Point_3>(query), hint...));
+    set_foot(i, reference, query, reference.project(convert<typename ReferenceSurface::Point_3>(query), hint...));
   }
 
-  // takes sample i at `foot`, the closest point to `query`
+  // takes sample i at `foot`, that of `query`
   template <typename ReferenceSurface, typename Foot>
-  void set_closest(std::size_t i, const ReferenceSurface& reference, const Point& query, const Foot& foot)
+  void set_foot(std::size_t i, const ReferenceSurface& reference, const Point& query, const Foot& foot)
   {
-    set(i, reference, query, foot);
-    m_distance_bounds[i] = static_cast<float>(norm(offset(i)) / m_unit);
+    m_offsets[i] = convert<Point>(reference.point(foot)) - query;
+    if(!m_normals.empty())
+      m_normals[i] = convert<Vector>(reference.normal(foot));
+    m_hints[i] = foot;
+    m_paths[i] = 0;
   }
 
   // Tells sample i that its query has moved by `displacement`; returns whether the foot must be computed anew, with
@@ -125,11 +130,10 @@ public:
             const Vector& displacement,
             const OffTangentPlane& off_tangent_plane)
   {
-    const float length = static_cast<float>(norm(displacement) / m_unit);
-    m_distance_bounds[i] = (std::max)(0.f, m_distance_bounds[i] - length);
-    m_paths[i] += length;
-    if(m_paths[i] * m_unit > tolerance.path)
+    const double path = m_paths[i] * m_path_unit + norm(displacement);
+    if(!(path <= tolerance.path))
       return true;
+    m_paths[i] = static_cast<Path>((std::min)(max_path, std::ceil(path / m_path_unit)));
 
     if(!tolerance.slides)
       m_offsets[i] = m_offsets[i] - displacement;
@@ -141,33 +145,25 @@ public:
   }
 
   // Moves sample i to the foot of `query`: to where walking from the last foot leads. The tree is asked only if that point
-  // may be farther away than the closest one by more than the tolerance. The distance of a query to the reference changes by
-  // no more than the query moves: what it was when the tree was asked last, less the displacements since, is a lower bound.
+  // is so far away that the closest one may be nearer by more than the tolerance.
   template <typename ReferenceSurface>
   void update(std::size_t i, const ReferenceSurface& reference, const Sampling_tolerance& tolerance, const Point& query)
   {
-    set(i, reference, query, project_near(reference, query, hint(i)));
-    if(!(norm(offset(i)) <= m_distance_bounds[i] * m_unit + tolerance.distance))
+    set_foot(i, reference, query, project_near(reference, query, hint(i)));
+    if(!(norm(offset(i)) <= tolerance.distance))
       project(i, reference, query, hint(i));
   }
 
 private:
-  template <typename ReferenceSurface, typename Foot>
-  void set(std::size_t i, const ReferenceSurface& reference, const Point& query, const Foot& foot)
-  {
-    m_offsets[i] = convert<Point>(reference.point(foot)) - query;
-    if(!m_normals.empty())
-      m_normals[i] = convert<Vector>(reference.normal(foot));
-    m_hints[i] = foot;
-    m_paths[i] = 0;
-  }
+  // how far a query has gone since its foot was computed, in units
+  using Path = std::uint16_t;
+  static constexpr double max_path = (std::numeric_limits<Path>::max)();
 
-  double m_unit;
+  double m_path_unit;
   std::vector<Vector> m_offsets;
   std::vector<Vector> m_normals;
-  std::vector<Hint> m_hints;            // from the last feet
-  std::vector<float> m_distance_bounds; // from the queries to the reference, in units
-  std::vector<float> m_paths;           // of the queries since their feet were computed, in units
+  std::vector<Hint> m_hints; // from the last feet
+  std::vector<Path> m_paths;
 };
 
 } // namespace vertex_location

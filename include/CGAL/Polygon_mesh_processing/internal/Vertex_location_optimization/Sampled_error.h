@@ -40,9 +40,9 @@ enum class Opposition : char
   ALL
 };
 
-// The distance to the reference of the surface of the remesh, or of that with its vertices elsewhere, sampled at the
-// vertices, the midpoints of the edges and the barycenters of the faces. With the weights 1/20, 2/15 and 9/20 these points
-// integrate cubics exactly.
+// The distance to the reference of the remesh with its vertices at the targets, sampled at the vertices, the midpoints of
+// the edges and the barycenters of the faces. With the weights 1/20, 2/15 and 9/20 these points integrate cubics exactly.
+// The samples at the vertices and midpoints are those of the state.
 template <typename ReferenceSurface>
 class Sampled_error
 {
@@ -52,9 +52,8 @@ class Sampled_error
   using State = Optimization_state<Hint>;
 
 public:
-  // `points` are where the vertices are
-  Sampled_error(const ReferenceSurface& reference, const State& state, const std::vector<Point>& points)
-    : m_reference(reference), m_state(state), m_points(points)
+  Sampled_error(const ReferenceSurface& reference, State& state)
+    : m_reference(reference), m_state(state)
   {
     allocate_at_barycenters();
   }
@@ -67,34 +66,33 @@ public:
     m_opposition[f] = opposition_at(foot, area_normal(t[0], t[1], t[2]));
   }
 
-  // Takes samples. Each distance is that to the point where walking from the foot of the last iteration leads, or to the
-  // sample of the last iteration if the query has hardly moved since; rather more than less. Until then the samples at the
-  // vertices and midpoints are those of the state.
+  // Takes samples, which have been taken where the points of the mesh are; then these are the targets. Each distance is that
+  // to the point where walking from the foot of the last iteration leads, or to the last sample if the query has hardly
+  // moved since; rather more than less.
   template <typename ConcurrencyTag>
   void sample()
   {
-    allocate();
+    constexpr double hardly = 1e-3; // relative to the mean edge length
+    const auto move = [&](Reference_samples<Hint>& samples, std::size_t k, const Point& from, const Point& to)
+    {
+      if(squared_distance(from, to) <= square(hardly * m_state.mean_edge_length))
+        samples.set_offset(k, samples.offset(k) - (to - from));
+      else
+        walk(samples, k, to);
+    };
+
+    allocate_at_barycenters();
     for_each_element<ConcurrencyTag>(m_state.mesh,
-      [&](std::size_t i) { sample_vertex(i); },
-      [&](std::size_t e) { sample_midpoint(e); },
+      [&](std::size_t i) { move(m_state.vertex_samples, i, m_state.mesh.points[i], m_state.targets[i]); },
+      [&](std::size_t e) { move(m_state.midpoint_samples, e, m_state.mesh.midpoint(e), midpoint_of_edge(e)); },
       [&](std::size_t f)
       {
         constexpr std::size_t ahead = 8;
-        if(f + ahead < m_state.mesh.faces.size())
+        if(f + ahead < m_state.mesh.number_of_faces())
           prefetch_near(m_reference, hint_near(f + ahead));
         sample_barycenter(f);
       });
-  }
-
-  // takes samples at the closest points
-  template <typename ConcurrencyTag>
-  void sample_exactly()
-  {
-    allocate();
-    for_each_element<ConcurrencyTag>(m_state.mesh,
-      [&](std::size_t i) { m_at_vertex[i] = distance(m_points[i], m_state.vertex_samples.hint(i)); },
-      [&](std::size_t e) { m_at_midpoint[e] = distance(midpoint_of_edge(e), m_state.midpoint_samples.hint(e)); },
-      [&](std::size_t f) { set_barycenter(f, project(barycenter(f), hint_near(f))); });
+    m_state.mesh.points = m_state.targets;
   }
 
   // the samples are not needed until they are taken again
@@ -105,15 +103,16 @@ public:
   }
 
   // samples anew what has changed with vertex i
-  void update(std::size_t i)
+  void update(Index i)
   {
-    sample_vertex(i);
+    walk(m_state.vertex_samples, i, m_state.targets[i]);
     m_state.for_each_corner(i, [&](Index c)
     {
-      sample_midpoint(m_state.mesh.opposite_edge(Mesh_arrays::next(c)));
-      sample_midpoint(m_state.mesh.opposite_edge(Mesh_arrays::previous(c)));
+      for(Index e : { m_state.mesh.opposite_edge(Mesh_arrays::next(c)), m_state.mesh.opposite_edge(Mesh_arrays::previous(c)) })
+        walk(m_state.midpoint_samples, e, midpoint_of_edge(e));
       sample_barycenter(c / 3);
     });
+    m_state.mesh.points[i] = m_state.targets[i];
   }
 
   double area(std::size_t f) const
@@ -125,19 +124,35 @@ public:
   // integral of the distance over face f
   double integral(std::size_t f) const
   {
+    const std::array<Index, 3> vertices = m_state.mesh.face(f);
     double at_vertices = 0, at_midpoints = 0;
     for(int k = 0; k < 3; ++k)
     {
-      at_vertices += at_vertex(m_state.mesh.faces[f][k]);
+      at_vertices += at_vertex(vertices[k]);
       at_midpoints += at_midpoint(m_state.mesh.face_edges[f][k]);
     }
-    return area(f) * (at_vertices / 20 + at_midpoints * 2 / 15 + m_at_barycenter[f] * 9 / 20);
+    return integral(triangle(f), at_vertices, at_midpoints, m_at_barycenter[f]);
+  }
+
+  // the same in the remesh, at closest points
+  double integral_in_remesh(std::size_t f) const
+  {
+    const std::array<Index, 3> vertices = m_state.mesh.face(f);
+    const std::array<Point, 3> t = m_state.mesh.triangle(f, m_state.initial_points);
+    double at_vertices = 0, at_midpoints = 0;
+    for(int k = 0; k < 3; ++k)
+    {
+      at_vertices += distance(t[k], m_state.vertex_samples.hint(vertices[k]));
+      at_midpoints += distance(midpoint(t[(k + 1) % 3], t[(k + 2) % 3]),
+                               m_state.midpoint_samples.hint(m_state.mesh.face_edges[f][k]));
+    }
+    return integral(t, at_vertices, at_midpoints, distance(point_at(t, Coordinates()), hint_near(f)));
   }
 
   template <typename ConcurrencyTag>
   double mean() const
   {
-    const std::size_t n = m_state.mesh.faces.size();
+    const std::size_t n = m_state.mesh.number_of_faces();
     const double total_area = sum_over_indices<ConcurrencyTag, double>(n, [&](std::size_t f) { return area(f); });
     const double total = sum_over_indices<ConcurrencyTag, double>(n, [&](std::size_t f) { return integral(f); });
     return total_area > 0 ? total / total_area : 0;
@@ -148,7 +163,7 @@ public:
   {
     constexpr double near = 0.9;
     constexpr int max_faces = 64;
-    const auto all = boost::irange<std::size_t>(0, m_state.mesh.faces.size());
+    const auto all = boost::irange<std::size_t>(0, m_state.mesh.number_of_faces());
     std::array<std::size_t, max_faces> faces;
     const auto end = std::partial_sort_copy(all.begin(), all.end(), faces.begin(), faces.end(),
                                             [&](std::size_t f, std::size_t g)
@@ -157,7 +172,7 @@ public:
     });
     double result = 0;
     for(auto f = faces.begin(); f != end && sampled_maximum(*f) > near * result; ++f)
-      result = (std::max)(result, lattice_maximum(*f, m_points).distance);
+      result = (std::max)(result, lattice_maximum(*f, m_state.targets).distance);
     return result;
   }
 
@@ -166,9 +181,9 @@ public:
   bool has_grown(std::size_t f) const
   {
     constexpr double margin = 0.995; // for what they miss
-    if(lattice_maximum(f, m_points).distance > lattice_maximum(f, m_state.initial_points).distance)
+    if(lattice_maximum(f, m_state.targets).distance > lattice_maximum(f, m_state.initial_points).distance)
       return true;
-    const Face_point farthest = climb_to_maximum(f, m_points);
+    const Face_point farthest = climb_to_maximum(f, m_state.targets);
     const double distance_in_remesh = climb_to_maximum(f, m_state.initial_points).distance;
     return farthest.distance > distance_in_remesh ||
            (farthest.distance > margin * distance_in_remesh &&
@@ -188,45 +203,36 @@ public:
     if(!(sampled >= near * threshold))
       return sampled;
     const auto project_roughly = [&](const Point& p, const Foot& hint) { return project_near(m_reference, p, hint); };
-    if(sampled < nearer * threshold && lattice_maximum(f, m_points, 4, project_roughly).distance < nearer * threshold)
+    if(sampled < nearer * threshold && lattice_maximum(f, m_state.targets, 4, project_roughly).distance < nearer * threshold)
       return sampled;
-    const double result = (std::max)(sampled, climb_to_maximum(f, m_points).distance);
+    const double result = (std::max)(sampled, climb_to_maximum(f, m_state.targets).distance);
     if(result >= nearest * threshold && result <= threshold)
-      return (std::max)(result, climb_to_maximum(f, m_points, 24).distance);
+      return (std::max)(result, climb_to_maximum(f, m_state.targets, 24).distance);
     return result;
   }
 
 private:
-  double at_vertex(std::size_t i) const
-  {
-    return m_at_vertex.empty() ? norm(m_state.vertex_samples.offset(i)) : m_at_vertex[i];
-  }
+  double at_vertex(std::size_t i) const { return norm(m_state.vertex_samples.offset(i)); }
+  double at_midpoint(std::size_t e) const { return norm(m_state.midpoint_samples.offset(e)); }
 
-  double at_midpoint(std::size_t e) const
+  // of three distances at the vertices, three at the midpoints and that at the barycenter
+  static double integral(const std::array<Point, 3>& t, double at_vertices, double at_midpoints, double at_barycenter)
   {
-    return m_at_midpoint.empty() ? norm(m_state.midpoint_samples.offset(e)) : m_at_midpoint[e];
-  }
-
-  void allocate()
-  {
-    m_at_vertex.resize(m_state.mesh.points.size());
-    m_at_midpoint.resize(m_state.mesh.edges.size());
-    allocate_at_barycenters();
+    return norm(area_normal(t[0], t[1], t[2])) / 2 * (at_vertices / 20 + at_midpoints * 2 / 15 + at_barycenter * 9 / 20);
   }
 
   void allocate_at_barycenters()
   {
-    m_at_barycenter.resize(m_state.mesh.faces.size());
-    m_opposition.resize(m_state.mesh.faces.size());
+    m_at_barycenter.resize(m_state.mesh.number_of_faces());
+    m_opposition.resize(m_state.mesh.number_of_faces());
   }
 
-  std::array<Point, 3> triangle(std::size_t f) const { return m_state.mesh.triangle(f, m_points); }
-  Point barycenter(std::size_t f) const { return point_at(triangle(f), Coordinates()); }
+  std::array<Point, 3> triangle(std::size_t f) const { return m_state.mesh.triangle(f, m_state.targets); }
 
   Point midpoint_of_edge(std::size_t e) const
   {
     const std::array<Index, 2>& ends = m_state.mesh.edges[e];
-    return midpoint(m_points[ends[0]], m_points[ends[1]]);
+    return midpoint(m_state.targets[ends[0]], m_state.targets[ends[1]]);
   }
 
   // for the barycenter of face f
@@ -235,8 +241,10 @@ private:
   double sampled_maximum(std::size_t f) const
   {
     double result = m_at_barycenter[f];
-    for(int k = 0; k < 3; ++k)
-      result = (std::max)({ result, at_vertex(m_state.mesh.faces[f][k]), at_midpoint(m_state.mesh.face_edges[f][k]) });
+    for(Index i : m_state.mesh.face(f))
+      result = (std::max)(result, at_vertex(i));
+    for(Index e : m_state.mesh.face_edges[f])
+      result = (std::max)(result, at_midpoint(e));
     return result;
   }
 
@@ -259,7 +267,7 @@ private:
   Face_point lattice_maximum(std::size_t f, const std::vector<Point>& points, int level, const Project& project) const
   {
     const std::array<Point, 3> t = m_state.mesh.triangle(f, points);
-    Foot foot = m_state.vertex_samples.hint(m_state.mesh.faces[f][0]);
+    Foot foot = m_state.vertex_samples.hint(m_state.mesh.first_vertex(f));
     Face_point best{ -1, Coordinates(), foot };
     for(int i = 0; i <= level; ++i)
       for(int k = 0; k <= level - i; ++k)
@@ -310,29 +318,16 @@ private:
     return norm(convert<Point>(m_reference.point(foot)) - p);
   }
 
-  void sample_vertex(std::size_t i)
+  // takes sample k at the point to which walking from its foot leads
+  void walk(Reference_samples<Hint>& samples, std::size_t k, const Point& query)
   {
-    m_at_vertex[i] = distance_to_sample(m_points[i], m_state.mesh.points[i], m_state.vertex_samples, i);
-  }
-
-  void sample_midpoint(std::size_t e)
-  {
-    m_at_midpoint[e] = distance_to_sample(midpoint_of_edge(e), m_state.mesh.midpoint(e), m_state.midpoint_samples, e);
-  }
-
-  // The distance of `p`, which was at `query` when sample i was taken.
-  double distance_to_sample(const Point& p, const Point& query, const Reference_samples<Hint>& samples, std::size_t i) const
-  {
-    constexpr double beside = 1e-3; // relative to the mean edge length
-    if(squared_distance(p, query) <= square(beside * m_state.mean_edge_length))
-      return norm(samples.offset(i) - (p - query));
-    return distance_to_foot(p, project_near(m_reference, p, samples.hint(i)));
+    samples.set_offset(k, convert<Point>(m_reference.point(project_near(m_reference, query, samples.hint(k)))) - query);
   }
 
   void sample_barycenter(std::size_t f)
   {
     constexpr double near = 0.1; // relative to the mean edge length; other sheets are thought to be farther away
-    const Point p = barycenter(f);
+    const Point p = point_at(triangle(f), Coordinates());
     const Foot foot = project_near(m_reference, p, hint_near(f));
     set_barycenter(f, foot);
     if(m_opposition[f] != Opposition::NONE || m_at_barycenter[f] > near * m_state.mean_edge_length)
@@ -353,9 +348,7 @@ private:
   }
 
   const ReferenceSurface& m_reference;
-  const State& m_state;
-  const std::vector<Point>& m_points;
-  std::vector<double> m_at_vertex, m_at_midpoint; // empty: those of the state
+  State& m_state;
   std::vector<double> m_at_barycenter;
   std::vector<Opposition> m_opposition;
 };

@@ -24,7 +24,6 @@ namespace vertex_location {
 struct Reference_sample
 {
   Point point;
-  Vector normal;
   Patch_foot foot; // the face of the remesh and the coordinates in it
 };
 
@@ -32,6 +31,7 @@ struct Reference_sample
 struct Samples_of_reference
 {
   std::vector<Reference_sample> samples;
+  std::vector<Vector> normals; // of the reference there
   double area = 0; // of the reference, that each of them stands for
   std::vector<Index> first_of_face; // those of face f are samples[by_face[first_of_face[f]]], ...,
   std::vector<Index> by_face;       // samples[by_face[first_of_face[f + 1] - 1]]
@@ -45,7 +45,8 @@ template <typename Surface>
 struct Has_area_samples<Surface, std::void_t<decltype(std::declval<const Surface&>().area())>>
   : std::true_type {};
 
-// Samples the reference, six points for a face of the remesh, if its type can be sampled.
+// Samples the reference, six points for a face of the remesh, if its type can be sampled: without their normals, which
+// are not needed before the closest points on the remesh have been found, with much memory.
 template <typename ReferenceSurface>
 void choose_reference_samples(const ReferenceSurface& reference,
                               const std::size_t number_of_faces,
@@ -60,8 +61,29 @@ void choose_reference_samples(const ReferenceSurface& reference,
     of_reference.samples.reserve(number_of_samples);
     reference.for_each_area_sample(of_reference.area, [&](const auto& foot)
     {
-      of_reference.samples.push_back({ convert<Point>(reference.point(foot)), convert<Vector>(reference.normal(foot)),
-                                       Patch_foot() });
+      of_reference.samples.push_back({ convert<Point>(reference.point(foot)), Patch_foot() });
+    });
+  }
+}
+
+// Takes the normals; sample i was chosen as the order[i]-th.
+template <typename ReferenceSurface>
+void take_normals(const ReferenceSurface& reference,
+                  const std::vector<Index>& order,
+                  Samples_of_reference& of_reference)
+{
+  if constexpr(Has_area_samples<ReferenceSurface>::value)
+  {
+    if(order.empty())
+      return;
+    std::vector<Index> place(order.size());
+    for(Index i = 0; i < order.size(); ++i)
+      place[order[i]] = i;
+    of_reference.normals.resize(order.size());
+    auto next = place.begin();
+    reference.for_each_area_sample(of_reference.area, [&](const auto& foot)
+    {
+      of_reference.normals[*next++] = convert<Vector>(reference.normal(foot));
     });
   }
 }
@@ -81,7 +103,7 @@ void walk_on_remesh(const Optimization_state<Hint>& state, const Point& query, P
     const std::array<double, 3> lambda = foot.coordinates.barycentric();
     if(*std::min_element(lambda.begin(), lambda.end()) > on_boundary)
       return;
-    const std::array<Index, 3> face = mesh.faces[foot.patch];
+    const std::array<Index, 3> face = mesh.face(foot.patch);
     for(int k = 0; k < 3; ++k)
       if(lambda[k] > on_boundary)
         state.for_each_corner(face[k], [&](Index c)
@@ -140,30 +162,40 @@ inline void sort_by_face(Samples_of_reference& of_reference)
 // Finds the closest points of the remesh to the samples of the reference with a tree. Neighbors among the samples follow
 // each other: the face of one is a hint for the next.
 template <typename ConcurrencyTag, typename Hint>
-void find_closest_faces(const Optimization_state<Hint>& state, Samples_of_reference& of_reference)
+void find_closest_faces(const Optimization_state<Hint>& state, std::vector<Reference_sample>& samples)
 {
   const Mesh_arrays& mesh = state.mesh;
-  std::vector<Reference_sample>& samples = of_reference.samples;
-  if(!samples.empty())
-  {
-    std::vector<Flat_triangle> triangles(mesh.faces.size());
-    for(std::size_t f = 0; f < mesh.faces.size(); ++f)
-      triangles[f] = Flat_triangle(mesh.triangle(f));
-    const Patch_tree<Flat_triangle> tree(std::move(triangles));
-    constexpr std::size_t block_size = 64;
-    for_each_block<ConcurrencyTag>(samples.size(), block_size, [&](std::size_t begin, std::size_t end)
-    {
-      Index hint = no_index;
-      for(std::size_t i = begin; i < end; ++i)
-      {
-        samples[i].foot = tree.project(samples[i].point, hint);
-        hint = samples[i].foot.patch;
-      }
-    });
-  }
-  of_reference.face_paths.assign(mesh.faces.size(), 0);
+  if(samples.empty())
+    return;
 
-  group_by_face(mesh.faces.size(), of_reference);
+  std::vector<Flat_triangle> triangles(mesh.number_of_faces());
+  for(std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+    triangles[f] = Flat_triangle(mesh.triangle(f));
+  const Patch_tree<Flat_triangle> tree(std::move(triangles));
+  constexpr std::size_t block_size = 64;
+  for_each_block<ConcurrencyTag>(samples.size(), block_size, [&](std::size_t begin, std::size_t end)
+  {
+    Index hint = no_index;
+    for(std::size_t i = begin; i < end; ++i)
+    {
+      samples[i].foot = tree.project(samples[i].point, hint);
+      hint = samples[i].foot.patch;
+    }
+  });
+}
+
+// Samples the reference, in the first iteration.
+template <typename ConcurrencyTag, typename ReferenceSurface>
+void start_samples_of_reference(const ReferenceSurface& reference,
+                                const Optimization_state<Hint_of<ReferenceSurface>>& state,
+                                Samples_of_reference& of_reference)
+{
+  const std::size_t number_of_faces = state.mesh.number_of_faces();
+  choose_reference_samples(reference, number_of_faces, of_reference);
+  find_closest_faces<ConcurrencyTag>(state, of_reference.samples);
+  of_reference.face_paths.assign(number_of_faces, 0);
+  group_by_face(number_of_faces, of_reference);
+  take_normals(reference, of_reference.by_face, of_reference);
   sort_by_face(of_reference);
 }
 
@@ -176,9 +208,9 @@ void walk_to_closest_faces(const Optimization_state<Hint>& state,
   const Mesh_arrays& mesh = state.mesh;
   std::vector<Reference_sample>& samples = of_reference.samples;
   std::vector<double>& paths = of_reference.face_paths;
-  for_each_index<ConcurrencyTag>(mesh.faces.size(), [&](std::size_t f)
+  for_each_index<ConcurrencyTag>(mesh.number_of_faces(), [&](std::size_t f)
   {
-    const std::array<Index, 3>& v = mesh.faces[f];
+    const std::array<Index, 3> v = mesh.face(f);
     if(paths[f] > tolerance) // its samples were computed in the last iteration
       paths[f] = 0;
     paths[f] += (std::max)({ norm(state.last_displacement(v[0])), norm(state.last_displacement(v[1])),
@@ -190,7 +222,7 @@ void walk_to_closest_faces(const Optimization_state<Hint>& state,
     if(paths[sample.foot.patch] > tolerance)
       walk_on_remesh(state, sample.point, sample.foot);
   });
-  group_by_face(mesh.faces.size(), of_reference);
+  group_by_face(mesh.number_of_faces(), of_reference);
 }
 
 } // namespace vertex_location

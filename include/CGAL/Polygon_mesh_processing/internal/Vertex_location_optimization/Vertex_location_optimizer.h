@@ -51,10 +51,12 @@ struct Options
   double regularity_weight = 0.15; // of LEAST_SQUARES
 };
 
-// Algorithm 1: moves the vertices of the mesh in `state` to where its faces approximate `reference` best. `AllowMove` is
-// a functor (i, source, target) -> bool, `FindSelfIntersections` is a `Self_intersection_test`.
+// Algorithm 1: moves the vertices of the mesh in `state` to where its faces approximate `reference` best. `ReadPoints` is a
+// functor () -> std::vector<Point> for the points of the remesh, which are not kept; `AllowMove` is a functor
+// (i, source, target) -> bool, `FindSelfIntersections` is a `Self_intersection_test`.
 template <typename ConcurrencyTag,
           typename ReferenceSurface,
+          typename ReadPoints,
           typename AllowMove,
           typename FindSelfIntersections,
           typename Visitor>
@@ -66,10 +68,12 @@ public:
   Vertex_location_optimizer(State& state,
                             const ReferenceSurface& reference,
                             const Options& options,
+                            const ReadPoints& read_initial_points,
                             const AllowMove& allow_move,
                             const FindSelfIntersections& find_self_intersections,
                             Visitor& visitor)
-    : m_state(state), m_reference(reference), m_options(options), m_allow_move(allow_move),
+    : m_state(state), m_reference(reference), m_options(options), m_read_initial_points(read_initial_points),
+      m_allow_move(allow_move),
       m_find_self_intersections(find_self_intersections), m_visitor(visitor),
       m_feature_edges(Feature_curves_of<ReferenceSurface>::get(reference), state),
       m_harm_criterion(reference, state), m_is_shortened(state.mesh.points.size(), 0)
@@ -144,10 +148,7 @@ private:
       });
       m_harm_criterion.template measure_remesh<ConcurrencyTag>();
       if(is_least_squares())
-      {
-        choose_reference_samples(m_reference, m_state.mesh.faces.size(), m_of_reference);
-        find_closest_faces<ConcurrencyTag>(m_state, m_of_reference);
-      }
+        start_samples_of_reference<ConcurrencyTag>(m_reference, m_state, m_of_reference);
     }
     else if(is_last())
     {
@@ -187,9 +188,11 @@ private:
   void correct()
   {
     keep_non_finite_targets_away();
+    m_state.initial_points = m_read_initial_points();
     do
       correct_flips<ConcurrencyTag>(m_state, m_is_shortened);
     while(refuse_moves(m_state.mesh.points));
+    release(m_state.initial_points);
   }
 
   // Also if the visitor has stopped the iterations: what they have reached is not the result before it is checked.
@@ -204,6 +207,7 @@ private:
     for(auto* samples : { &m_state.vertex_samples, &m_state.midpoint_samples, &m_state.barycenter_samples })
       samples->end_updates();
 
+    m_state.initial_points = m_read_initial_points();
     take_back_harm<ConcurrencyTag>(m_harm_criterion, m_state, [&]() { return refuse_moves(m_state.initial_points); },
                                    m_find_self_intersections, m_is_shortened);
     count_corrected_vertices();
@@ -277,6 +281,7 @@ private:
   State& m_state;
   const ReferenceSurface& m_reference;
   const Options m_options;
+  const ReadPoints& m_read_initial_points;
   const AllowMove& m_allow_move;
   const FindSelfIntersections& m_find_self_intersections;
   Visitor& m_visitor;
@@ -292,18 +297,20 @@ private:
 
 template <typename ConcurrencyTag,
           typename ReferenceSurface,
+          typename ReadPoints,
           typename AllowMove,
           typename FindSelfIntersections,
           typename Visitor>
 Vertex_location_optimization_report optimize(Optimization_state<Hint_of<ReferenceSurface>>& state,
                                              const ReferenceSurface& reference,
                                              const Options& options,
+                                             const ReadPoints& read_initial_points,
                                              const AllowMove& allow_move,
                                              const FindSelfIntersections& find_self_intersections,
                                              Visitor& visitor)
 {
-  return Vertex_location_optimizer<ConcurrencyTag, ReferenceSurface, AllowMove, FindSelfIntersections, Visitor>(
-    state, reference, options, allow_move, find_self_intersections, visitor).run();
+  return Vertex_location_optimizer<ConcurrencyTag, ReferenceSurface, ReadPoints, AllowMove, FindSelfIntersections, Visitor>(
+    state, reference, options, read_initial_points, allow_move, find_self_intersections, visitor).run();
 }
 
 } // namespace vertex_location

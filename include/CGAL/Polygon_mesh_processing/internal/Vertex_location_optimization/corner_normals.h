@@ -21,8 +21,8 @@ namespace vertex_location {
 template <typename ConcurrencyTag>
 std::vector<Vector> compute_face_normals(const Mesh_arrays& mesh)
 {
-  std::vector<Vector> normals(mesh.faces.size());
-  for_each_index<ConcurrencyTag>(mesh.faces.size(), [&](std::size_t f)
+  std::vector<Vector> normals(mesh.number_of_faces());
+  for_each_index<ConcurrencyTag>(mesh.number_of_faces(), [&](std::size_t f)
   {
     normals[f] = normalized(mesh.area_normal(f));
   });
@@ -104,7 +104,7 @@ std::vector<Vector> compute_corner_normals(const Mesh_arrays& mesh,
                                            const std::vector<char>& is_crease)
 {
   const Sectors sectors(mesh, is_crease);
-  std::vector<Vector> normals(3 * mesh.faces.size());
+  std::vector<Vector> normals(3 * mesh.number_of_faces());
   for_each_index<ConcurrencyTag>(normals.size(), [&](std::size_t i)
   {
     Vector sum = NULL_VECTOR;

@@ -6,6 +6,7 @@
 #ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_FIT_LEAST_SQUARES_H
 #define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_FIT_LEAST_SQUARES_H
 
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/for_each_sum_over_faces.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Samples_of_reference.h>
 
 #include <CGAL/Default_diagonalize_traits.h>
@@ -86,16 +87,31 @@ private:
   Vector m_g = NULL_VECTOR;
 };
 
+// What the faces at a vertex say to it.
+struct Vertex_equations
+{
+  Normal_equations of_faces;
+  double area = 0; // of these faces
+  std::size_t number_of_faces = 0;
+
+  Vertex_equations& operator+=(const Vertex_equations& other)
+  {
+    of_faces += other.of_faces;
+    area += other.area;
+    number_of_faces += other.number_of_faces;
+    return *this;
+  }
+};
+
 // What the samples in face f, but for those at its vertices, say to each of its vertices. With the weights 1/20 at the
 // vertices, 2/15 at the midpoints and 9/20 at the barycenter they integrate cubics exactly.
 template <typename Hint>
-std::array<Normal_equations, 3> face_equations(const Optimization_state<Hint>& state,
+std::array<Vertex_equations, 3> face_equations(const Optimization_state<Hint>& state,
                                                const Samples_of_reference& of_reference,
-                                               const std::size_t f,
-                                               const double area)
+                                               const std::size_t f)
 {
   const std::array<Point, 3> t = state.mesh.triangle(f);
-  const double length = state.mean_edge_length;
+  const double area = state.mesh.area(f), length = state.mean_edge_length;
   std::array<Normal_equations, 3> equations;
   for(int k = 0; k < 3; ++k)
   {
@@ -114,18 +130,19 @@ std::array<Normal_equations, 3> face_equations(const Optimization_state<Hint>& s
 
   for(Index s = of_reference.first_of_face[f]; s < of_reference.first_of_face[f + 1]; ++s)
   {
-    const Reference_sample& sample = of_reference.samples[of_reference.by_face[s]];
+    const Index i = of_reference.by_face[s];
+    const Reference_sample& sample = of_reference.samples[i];
     const std::array<double, 3> lambda = sample.foot.coordinates.barycentric();
     const Vector offset = sample.point - point_at(t, sample.foot.coordinates);
     // inside the face the reference's normal, on its boundary the direction to the sample
     const bool is_inside = *std::min_element(lambda.begin(), lambda.end()) > 1e-12;
     const Vector direction = is_inside ? Vector(NULL_VECTOR) : normalized(offset);
-    const Normal_equations of_sample(direction != NULL_VECTOR ? direction : sample.normal, offset,
+    const Normal_equations of_sample(direction != NULL_VECTOR ? direction : of_reference.normals[i], offset,
                                      of_reference.area, length);
     for(int k = 0; k < 3; ++k)
       equations[k].add(of_sample, lambda[k]);
   }
-  return equations;
+  return { { { equations[0], area, 1 }, { equations[1], area, 1 }, { equations[2], area, 1 } } };
 }
 
 // How far and where v should move for the triangle v, p, q to become more regular; `length` is that of the sides of the
@@ -160,51 +177,6 @@ inline Vector pull_to_regular(const Point& v, const Point& p, const Point& q, co
          (angle_part * square(length) / sum_of_weights) * gradient;
 }
 
-// What the faces at a vertex say to it.
-struct Vertex_equations
-{
-  Normal_equations of_faces;
-  double area = 0; // of these faces
-  std::size_t number_of_faces = 0;
-};
-
-// Calls f(i, equations) for each vertex i of the mesh. Blocks of vertices that follow each other are also close to each
-// other: only the faces at the border of a block are visited for several of them.
-template <typename ConcurrencyTag, typename Hint, typename F>
-void for_each_vertex_equations(const Optimization_state<Hint>& state, const Samples_of_reference& of_reference, const F& f)
-{
-  constexpr std::size_t block_size = 512; // of vertices
-
-  const Mesh_arrays& mesh = state.mesh;
-  for_each_block<ConcurrencyTag>(mesh.points.size(), block_size, [&](std::size_t begin, std::size_t end)
-  {
-    std::vector<std::size_t> faces;
-    for(std::size_t i = begin; i < end; ++i)
-      state.for_each_corner(i, [&](Index c) { faces.push_back(c / 3); });
-    std::sort(faces.begin(), faces.end());
-    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-
-    std::vector<Vertex_equations> of_vertices(end - begin);
-    for(std::size_t face : faces)
-    {
-      const double area = mesh.area(face);
-      const std::array<Normal_equations, 3> equations = face_equations(state, of_reference, face, area);
-      for(int k = 0; k < 3; ++k)
-      {
-        const std::size_t i = mesh.faces[face][k];
-        if(i < begin || i >= end)
-          continue;
-        Vertex_equations& of_vertex = of_vertices[i - begin];
-        of_vertex.of_faces += equations[k];
-        of_vertex.area += area;
-        ++of_vertex.number_of_faces;
-      }
-    }
-    for(std::size_t i = begin; i < end; ++i)
-      f(i, of_vertices[i - begin]);
-  });
-}
-
 // Moves each free vertex towards the least squares fit of its faces to the samples of both surfaces, its neighbors held
 // fixed. The equations of the vertices are solved independently of each other, hence the relaxation factor; part of the
 // last displacement is repeated to get there sooner. A vertex whose samples fit stays.
@@ -217,7 +189,9 @@ void fit_least_squares(Optimization_state<Hint>& state,
 
   const Mesh_arrays& mesh = state.mesh;
   const double equilateral_area = std::sqrt(3.) / 4 * square(state.mean_edge_length);
-  for_each_vertex_equations<ConcurrencyTag>(state, of_reference, [&](std::size_t i, const Vertex_equations& of_vertex)
+  const auto equations_of_face = [&](std::size_t f) { return face_equations(state, of_reference, f); };
+  for_each_sum_over_faces<ConcurrencyTag, Vertex_equations>(state, equations_of_face,
+                                                            [&](std::size_t i, const Vertex_equations& of_vertex)
   {
     const Point& v = mesh.points[i];
     const Vector last_step = v - state.targets[i];

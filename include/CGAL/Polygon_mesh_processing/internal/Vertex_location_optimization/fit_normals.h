@@ -33,7 +33,7 @@ std::vector<Vector> fit_normals(const Mesh_arrays& mesh,
 {
   const Sectors sectors(mesh, is_crease);
 
-  std::vector<Vector> normals(3 * mesh.faces.size());
+  std::vector<Vector> normals(3 * mesh.number_of_faces());
   for_each_index<ConcurrencyTag>(normals.size(), [&](std::size_t i)
   {
     Vector sum = NULL_VECTOR, sample = NULL_VECTOR;

@@ -9,7 +9,6 @@
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/for_each_index.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Mesh_arrays.h>
 
-#include <algorithm>
 #include <cstddef>
 
 namespace CGAL {
@@ -24,22 +23,15 @@ template <typename ConcurrencyTag, typename OnVertex, typename OnEdge, typename 
 void for_each_element(const Mesh_arrays& mesh, const OnVertex& on_vertex, const OnEdge& on_edge, const OnFace& on_face)
 {
   constexpr std::size_t block_size = 64; // of vertices
-  const auto begin_of = [](const auto& elements, std::size_t first_vertex)
-  {
-    const auto begin = std::partition_point(elements.begin(), elements.end(),
-                                            [&](const auto& element) { return element[0] < first_vertex; });
-    return static_cast<std::size_t>(begin - elements.begin());
-  };
-
   for_each_block<ConcurrencyTag>(mesh.points.size(), block_size, [&](std::size_t begin, std::size_t end)
   {
-    std::size_t e = begin_of(mesh.edges, begin), f = begin_of(mesh.faces, begin);
+    std::size_t e = mesh.first_edge_from(begin), f = mesh.first_face_from(begin);
     for(std::size_t i = begin; i < end; ++i)
     {
       on_vertex(i);
       for(; e < mesh.edges.size() && mesh.edges[e][0] == i; ++e)
         on_edge(e);
-      for(; f < mesh.faces.size() && mesh.faces[f][0] == i; ++f)
+      for(; f < mesh.number_of_faces() && mesh.first_vertex(f) == i; ++f)
         on_face(f);
     }
   });

@@ -6,6 +6,8 @@
 #ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_FOR_EACH_INDEX_H
 #define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_FOR_EACH_INDEX_H
 
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/geometry.h>
+
 #include <CGAL/tags.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
@@ -57,6 +59,24 @@ void for_each_block(std::size_t n, std::size_t block_size, const F& f)
     const std::size_t begin = block * block_size;
     f(begin, (std::min)(n, begin + block_size));
   });
+}
+
+// the i in [0, n) for which predicate(i) holds, in increasing order
+template <typename ConcurrencyTag, typename Predicate>
+std::vector<Index> find_indices(std::size_t n, const Predicate& predicate)
+{
+  constexpr std::size_t block_size = 2048;
+  std::vector<std::vector<Index>> found((n + block_size - 1) / block_size);
+  for_each_block<ConcurrencyTag>(n, block_size, [&](std::size_t begin, std::size_t end)
+  {
+    for(std::size_t i = begin; i < end; ++i)
+      if(predicate(i))
+        found[begin / block_size].push_back(static_cast<Index>(i));
+  });
+  std::vector<Index> result;
+  for(const std::vector<Index>& indices : found)
+    result.insert(result.end(), indices.begin(), indices.end());
+  return result;
 }
 
 // f(0) + f(1) + ... + f(n-1), summed in blocks of a fixed size, so that the rounding, and with it the result, is the

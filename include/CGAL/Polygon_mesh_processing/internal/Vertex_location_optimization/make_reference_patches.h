@@ -66,7 +66,7 @@ void make_patches(const Mesh_arrays& mesh,
                   const std::vector<char>& /* is_crease */,
                   std::vector<Flat_triangle>& patches)
 {
-  patches.resize(mesh.faces.size());
+  patches.resize(mesh.number_of_faces());
   for_each_index<ConcurrencyTag>(patches.size(), [&](std::size_t f) { patches[f] = Flat_triangle(mesh.triangle(f)); });
 }
 
@@ -83,7 +83,7 @@ void make_patches(const Mesh_arrays& mesh,
     return corner == no_index ? otherwise : corner_normals[corner];
   };
 
-  patches.resize(mesh.faces.size());
+  patches.resize(mesh.number_of_faces());
   for_each_index<ConcurrencyTag>(patches.size(), [&](std::size_t f)
   {
     std::array<PN_triangle::Corner, 3> corners;
@@ -266,8 +266,8 @@ Reference_patches<Patch> make_reference_patches(const TriangleMesh& tmesh, const
   };
   Reference_patches<Patch> result;
   result.curves = Feature_curves::make(mesh, is_feature, curve_piece);
-  result.neighbors.resize(mesh.faces.size());
-  for_each_index<ConcurrencyTag>(mesh.faces.size(), [&](std::size_t f)
+  result.neighbors.resize(mesh.number_of_faces());
+  for_each_index<ConcurrencyTag>(mesh.number_of_faces(), [&](std::size_t f)
   {
     for(Index k = 0; k < 3; ++k)
       result.neighbors[f][k] = mesh.corner_across(static_cast<Index>(3 * f + k));

@@ -73,12 +73,12 @@ std::vector<Face_error> measure_faces(const Mesh_arrays& mesh,
                                       const std::vector<typename ReferenceSurface::Foot>& vertex_feet,
                                       const std::size_t number_of_points)
 {
-  std::vector<Face_error> faces(mesh.faces.size());
+  std::vector<Face_error> faces(mesh.number_of_faces());
   for_each_index<ConcurrencyTag>(faces.size(), [&](std::size_t f)
   {
     std::size_t count = 0;
     double sum = 0, sum_of_squares = 0, max = 0;
-    const auto& hint = vertex_feet[mesh.faces[f][0]];
+    const auto& hint = vertex_feet[mesh.first_vertex(f)];
     project_samples(mesh.triangle(f), reference, number_of_points, hint, [&](const auto&, const Point& p, const auto& foot)
     {
       const double distance = distance_to_foot(p, reference, foot);
@@ -87,7 +87,7 @@ std::vector<Face_error> measure_faces(const Mesh_arrays& mesh,
       max = (std::max)(max, distance);
       ++count;
     });
-    for(Index i : mesh.faces[f])
+    for(Index i : mesh.face(f))
       max = (std::max)(max, distance_to_foot(mesh.points[i], reference, vertex_feet[i]));
 
     faces[f] = { mesh.area(f), mean_of(sum, count), mean_of(sum_of_squares, count), max };
@@ -104,7 +104,7 @@ std::vector<double> mean_around_vertices(const Mesh_arrays& mesh,
 {
   std::vector<Error_sum> sums(mesh.points.size());
   for(std::size_t f = 0; f < faces.size(); ++f)
-    for(Index i : mesh.faces[f])
+    for(Index i : mesh.face(f))
       sums[i] += faces[f];
 
   std::vector<double> means(mesh.points.size());

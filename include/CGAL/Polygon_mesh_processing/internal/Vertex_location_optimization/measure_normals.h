@@ -44,14 +44,14 @@ double measure_corner_normals(const Mesh_arrays& mesh,
                               const std::size_t number_of_points)
 {
   const auto vertex_feet = project_vertices<ConcurrencyTag>(mesh, reference);
-  const Angle_integral sum = sum_over_indices<ConcurrencyTag, Angle_integral>(mesh.faces.size(), [&](std::size_t f)
+  const Angle_integral sum = sum_over_indices<ConcurrencyTag, Angle_integral>(mesh.number_of_faces(), [&](std::size_t f)
   {
     const Vector& n = corner_normals[3 * f];
     const Vector to_n1 = corner_normals[3 * f + 1] - n, to_n2 = corner_normals[3 * f + 2] - n;
 
     std::size_t count = 0;
     Angle_integral face;
-    const auto& hint = vertex_feet[mesh.faces[f][0]];
+    const auto& hint = vertex_feet[mesh.first_vertex(f)];
     project_samples(mesh.triangle(f), reference, number_of_points, hint,
                     [&](const Coordinates& x, const auto&, const auto& foot)
     {
@@ -77,7 +77,7 @@ template <typename ConcurrencyTag>
 std::vector<Vector> face_normals_at_corners(const Mesh_arrays& mesh)
 {
   const std::vector<Vector> face_normals = compute_face_normals<ConcurrencyTag>(mesh);
-  std::vector<Vector> normals(3 * mesh.faces.size());
+  std::vector<Vector> normals(3 * mesh.number_of_faces());
   for_each_index<ConcurrencyTag>(normals.size(), [&](std::size_t c) { normals[c] = face_normals[c / 3]; });
   return normals;
 }

@@ -40,7 +40,7 @@ std::vector<Vector> read_corner_normals(const TriangleMesh& tmesh,
                                         const Mesh_descriptors<TriangleMesh>& descriptors,
                                         const NormalMap& normal_map)
 {
-  std::vector<Vector> normals(3 * mesh.faces.size());
+  std::vector<Vector> normals(3 * mesh.number_of_faces());
   if constexpr(Is_corner_map<TriangleMesh, NormalMap>::value)
     for_each_corner_halfedge(tmesh, descriptors, [&](std::size_t c, auto h)
     {

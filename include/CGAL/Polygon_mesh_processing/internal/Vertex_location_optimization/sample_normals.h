@@ -64,8 +64,8 @@ public:
         at_edges[e] = normal_at(midpoint_of_edge(e), feet[m_mesh.edges[e][0]]);
     });
 
-    samples.at_corners.resize(3 * m_mesh.faces.size());
-    samples.at_midpoints.resize(3 * m_mesh.faces.size());
+    samples.at_corners.resize(3 * m_mesh.number_of_faces());
+    samples.at_midpoints.resize(3 * m_mesh.number_of_faces());
     for_each_index<ConcurrencyTag>(samples.at_corners.size(), [&](std::size_t c)
     {
       const Index corner = static_cast<Index>(c), i = m_mesh.vertex(corner), e = m_mesh.opposite_edge(corner);

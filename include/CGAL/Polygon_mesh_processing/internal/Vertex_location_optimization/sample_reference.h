@@ -43,7 +43,7 @@ void start_samples(const ReferenceSurface& reference,
       const auto foot = reference.project(convert<typename ReferenceSurface::Point_3>(query),
                                           state.midpoint_samples.hint(mesh.edge_at_first_vertex(f)));
       if(!state.barycenter_samples.empty())
-        state.barycenter_samples.set_closest(f, reference, query, foot);
+        state.barycenter_samples.set_foot(f, reference, query, foot);
       on_barycenter(f, foot);
     });
 }
@@ -105,7 +105,7 @@ void update_samples(const ReferenceSurface& reference,
     [&](std::size_t e) { return mesh.midpoint(e); }, state.midpoint_samples);
   if(!state.barycenter_samples.empty())
     update_samples<ConcurrencyTag>(
-      reference, tolerance, state, mesh.faces.size(), [&](std::size_t f) { return mesh.faces[f]; },
+      reference, tolerance, state, mesh.number_of_faces(), [&](std::size_t f) { return mesh.face(f); },
       [&](std::size_t f) { return mesh.barycenter(f); }, state.barycenter_samples);
   // the last, as the others read their normals
   update_samples<ConcurrencyTag>(

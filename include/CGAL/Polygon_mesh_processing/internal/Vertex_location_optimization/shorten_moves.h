@@ -8,6 +8,7 @@
 
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Optimization_state.h>
 
+#include <map>
 #include <set>
 #include <utility>
 #include <vector>
@@ -37,15 +38,16 @@ void shorten_moves(Optimization_state<Hint>& state,
                    std::vector<char>& is_shortened)
 {
   const Mesh_arrays& mesh = state.mesh;
-  std::vector<char> is_bad(mesh.faces.size());
-  for_each_index<ConcurrencyTag>(mesh.faces.size(), [&](std::size_t f) { is_bad[f] = criterion.is_bad(f); });
+  const std::vector<Index> bad_at_first =
+    find_indices<ConcurrencyTag>(mesh.number_of_faces(), [&](std::size_t f) { return criterion.is_bad(f); });
+  std::set<Index> bad_faces(bad_at_first.begin(), bad_at_first.end());
 
-  std::vector<int> number_of_corrections(mesh.points.size(), 0);
+  std::map<Index, int> number_of_corrections;
   std::set<std::pair<int, Index>> queue; // of pairs (n_i - C_i, i)
   auto number_of_bad_faces = [&](Index i)
   {
     int number = 0;
-    state.for_each_corner(i, [&](Index c) { number += is_bad[c / 3]; });
+    state.for_each_corner(i, [&](Index c) { number += bad_faces.count(c / 3) > 0; });
     return number;
   };
   auto enqueue = [&](Index i)
@@ -56,10 +58,9 @@ void shorten_moves(Optimization_state<Hint>& state,
   };
   auto dequeue = [&](Index i) { queue.erase({ number_of_corrections[i] - number_of_bad_faces(i), i }); };
 
-  for(std::size_t f = 0; f < mesh.faces.size(); ++f)
-    if(is_bad[f])
-      for(Index i : mesh.faces[f])
-        enqueue(i);
+  for(Index f : bad_at_first)
+    for(Index i : mesh.face(f))
+      enqueue(i);
 
   while(!queue.empty())
   {
@@ -67,14 +68,24 @@ void shorten_moves(Optimization_state<Hint>& state,
 
     // the keys of the vertices around change with the faces
     std::set<Index> neighborhood;
-    state.for_each_corner(i, [&](Index c) { neighborhood.insert(mesh.faces[c / 3].begin(), mesh.faces[c / 3].end()); });
+    state.for_each_corner(i, [&](Index c)
+    {
+      for(Index j : mesh.face(c / 3))
+        neighborhood.insert(j);
+    });
     for(Index j : neighborhood)
       dequeue(j);
 
     is_shortened[i] = 1;
     halve_move(origins[i], state.targets[i], number_of_corrections[i]);
     criterion.update(i);
-    state.for_each_corner(i, [&](Index c) { is_bad[c / 3] = criterion.is_bad(c / 3); });
+    state.for_each_corner(i, [&](Index c)
+    {
+      if(criterion.is_bad(c / 3))
+        bad_faces.insert(c / 3);
+      else
+        bad_faces.erase(c / 3);
+    });
 
     for(Index j : neighborhood)
       enqueue(j);

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <set>
 #include <vector>
 
@@ -30,8 +31,8 @@ class Harm_criterion
   using State = Optimization_state<Hint>;
 
 public:
-  Harm_criterion(const ReferenceSurface& reference, const State& state)
-    : m_reference(reference), m_state(state), m_flips(state), m_error(reference, state, state.targets)
+  Harm_criterion(const ReferenceSurface& reference, State& state)
+    : m_state(state), m_flips(state), m_error(reference, state)
   {}
 
   // takes the foot of the barycenter of face f of the remesh
@@ -44,11 +45,9 @@ public:
     constexpr double margin = 0.98; // for what lies between the samples
     m_mean_of_remesh = m_error.template mean<ConcurrencyTag>();
     m_max_error = margin * m_error.maximum();
-    m_oppositions_of_remesh.resize(m_state.mesh.faces.size());
-    for_each_index<ConcurrencyTag>(m_state.mesh.faces.size(), [&](std::size_t f)
-    {
+    const auto is_opposed = [&](std::size_t f) { return m_error.opposition(f) != Opposition::NONE; };
+    for(Index f : find_indices<ConcurrencyTag>(m_state.mesh.number_of_faces(), is_opposed))
       m_oppositions_of_remesh[f] = m_error.opposition(f);
-    });
     m_error.free_memory();
   }
 
@@ -74,21 +73,21 @@ public:
     if(!has_moved(f))
       return false;
     return m_flips.is_bad(f) ||
-           m_error.opposition(f) > m_oppositions_of_remesh[f] ||
+           m_error.opposition(f) > opposition_in_remesh(static_cast<Index>(f)) ||
            (is_strict() && m_error.integral(f) > m_integrals_of_remesh[f]) ||
            (!(m_error.maximum(f, m_max_error) <= m_max_error) && m_error.has_grown(f));
   }
 
-  void update(std::size_t i) { m_error.update(i); }
+  void update(Index i) { m_error.update(i); }
 
   template <typename ConcurrencyTag>
   void make_strict()
   {
-    Sampled_error<ReferenceSurface> of_remesh(m_reference, m_state, m_state.initial_points);
-    of_remesh.template sample_exactly<ConcurrencyTag>();
-    m_integrals_of_remesh.resize(m_state.mesh.faces.size());
-    for(std::size_t f = 0; f < m_integrals_of_remesh.size(); ++f)
-      m_integrals_of_remesh[f] = of_remesh.integral(f);
+    m_integrals_of_remesh.resize(m_state.mesh.number_of_faces());
+    for_each_index<ConcurrencyTag>(m_integrals_of_remesh.size(), [&](std::size_t f)
+    {
+      m_integrals_of_remesh[f] = m_error.integral_in_remesh(f);
+    });
     m_is_strict = true;
   }
 
@@ -97,18 +96,23 @@ public:
 private:
   bool has_moved(std::size_t f) const
   {
-    for(Index i : m_state.mesh.faces[f])
+    for(Index i : m_state.mesh.face(f))
       if(m_state.targets[i] != m_state.initial_points[i])
         return true;
     return false;
   }
 
-  const ReferenceSurface& m_reference;
+  Opposition opposition_in_remesh(Index f) const
+  {
+    const auto found = m_oppositions_of_remesh.find(f);
+    return found == m_oppositions_of_remesh.end() ? Opposition::NONE : found->second;
+  }
+
   const State& m_state;
   Flip_criterion<Hint> m_flips;
   Sampled_error<ReferenceSurface> m_error;
   std::vector<double> m_integrals_of_remesh; // of the error over each face, if the criterion is strict
-  std::vector<Opposition> m_oppositions_of_remesh;
+  std::map<Index, Opposition> m_oppositions_of_remesh; // where there are any
   double m_mean_of_remesh = 0;
   double m_max_error = 0; // what a face must not exceed
   bool m_is_strict = false;
@@ -154,7 +158,8 @@ bool separate_faces(Optimization_state<Hint>& state,
   std::set<Index> vertices;
   for(const auto& pair : pairs)
     for(Index f : { pair.first, pair.second })
-      vertices.insert(state.mesh.faces[f].begin(), state.mesh.faces[f].end());
+      for(Index i : state.mesh.face(f))
+        vertices.insert(i);
 
   bool separated = false;
   for(Index i : vertices)
@@ -171,7 +176,8 @@ bool separate_faces(Optimization_state<Hint>& state,
 // largest nor the mean error is above that of the remesh, as far as `Sampled_error` sees, no face is flipped and, if
 // that is tested, no pair of faces intersects that did not before.
 //
-// The points of the mesh in `state` must be those for which the samples were taken; then they are the result.
+// The points of the mesh in `state` must be those for which the samples were taken; then they are the result. Its initial
+// points are needed.
 //
 // `refuse_moves` takes back the moves that the user does not allow, and returns whether there were any;
 // `find_self_intersections` is a `Self_intersection_test`.

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef VERTEX_LOCATION_OPTIMIZATION_BENCHMARK_HEAP_USE_H
-#define VERTEX_LOCATION_OPTIMIZATION_BENCHMARK_HEAP_USE_H
+#ifndef VERTEX_LOCATION_OPTIMIZATION_TEST_HEAP_USE_H
+#define VERTEX_LOCATION_OPTIMIZATION_TEST_HEAP_USE_H
 
 // To be included by one translation unit of a program: it replaces the global operators new and delete.
 
@@ -106,4 +106,4 @@ inline double peak_of_process()
   return 0;
 }
 
-#endif // VERTEX_LOCATION_OPTIMIZATION_BENCHMARK_HEAP_USE_H
+#endif // VERTEX_LOCATION_OPTIMIZATION_TEST_HEAP_USE_H

@@ -1,0 +1,44 @@
+// Copyright (c) 2026 The Vertex_location_optimization authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What a call needs of the heap: 300 bytes a vertex of the remesh with the piecewise linear method, and with the least
+// squares fit, which has five times the samples, five times as much.
+
+#include "check.h"
+#include "heap_use.h"
+#include "test_meshes.h"
+
+#include <CGAL/Polygon_mesh_processing/optimize_vertex_locations.h>
+#include <CGAL/Polygon_mesh_processing/PN_triangle_surface.h>
+
+namespace PMP = CGAL::Polygon_mesh_processing;
+
+void test_memory(const std::string& name, PMP::Placement_method method, double most_bytes)
+{
+  start_topic(name);
+  Mesh mesh = make_mesh(transformed(icosphere(5), rotated));
+  const PMP::PN_triangle_surface<Mesh> reference(make_mesh(icosphere(4)));
+  const std::vector<Point> before = points_of(mesh);
+  Heap_use::start_counting();
+  PMP::optimize_vertex_locations(mesh, reference, CGAL::parameters::placement_method(method));
+  Heap_use::stop_counting();
+  CHECK(points_of(mesh) != before);
+  if(!Heap_use::is_known())
+  {
+    std::cout << "not measured, since this system does not tell the size of what is allocated\n";
+    return;
+  }
+  const double bytes = Heap_use::peak() / static_cast<double>(mesh.number_of_vertices());
+  std::cout << bytes << " bytes a vertex\n";
+  CHECK_LESS(0, bytes);
+  CHECK_LESS(bytes, most_bytes);
+}
+
+int main()
+{
+  test_memory("piecewise linear", PMP::PIECEWISE_LINEAR, 300);
+  test_memory("least squares", PMP::LEAST_SQUARES, 1500);
+  return test_result();
+}

@@ -62,7 +62,7 @@ inline Log_log_plot growth_plot(const std::vector<Growth_curve>& curves,
                                 double (*growth)(double))
 {
   Log_log_plot plot("", label, "seconds");
-  const std::vector<std::string> colors{ "#0050c0", "#008000" };
+  const std::vector<std::string> colors{ "#0050c0", "#008000", "#808080" };
   for(std::size_t k = 0; k < curves.size(); ++k)
   {
     const Growth_curve& curve = curves[k];

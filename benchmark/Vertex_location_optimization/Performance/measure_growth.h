@@ -9,6 +9,7 @@
 #include "Growth_curve.h"
 #include "heap_use.h"
 #include "meshes.h"
+#include "standard_tree.h"
 #include "Table.h"
 
 #include <cstddef>
@@ -16,7 +17,8 @@
 #include <string>
 #include <vector>
 
-// Optimizes `mesh` with both methods, and adds what it takes to the table and to the curves.
+// Optimizes `mesh` with both methods, and adds what it takes to the table and to the curves, and beside it one projection of
+// the vertices and midpoints with the standard tree.
 inline void add_growth(Table& table,
                        std::vector<Growth_curve>& curves,
                        double size,
@@ -24,14 +26,19 @@ inline void add_growth(Table& table,
                        const Mesh& reference,
                        const Surface& surface)
 {
-  for(std::size_t k = 0; k < curves.size(); ++k)
+  const double projection = time_of_standard_projection(mesh, reference);
+  auto curve = curves.begin();
+  const auto add = [&](double seconds)
   {
-    curves[k].sizes.push_back(size);
-    curves[k].seconds.push_back(time_of_optimization(mesh, surface, placement_methods[k]));
+    curve->sizes.push_back(size);
+    curve->seconds.push_back(seconds);
     const double n = static_cast<double>(mesh.number_of_vertices());
-    table.add_row(curves[k].name, { n, double(reference.number_of_faces()), curves[k].seconds.back(),
-                                    1e6 * curves[k].seconds.back() / n });
-  }
+    table.add_row(curve->name, { n, double(reference.number_of_faces()), seconds, 1e6 * seconds / n, seconds / projection });
+    ++curve;
+  };
+  for(PMP::Placement_method method : placement_methods)
+    add(time_of_optimization(mesh, surface, method));
+  add(projection);
 }
 
 inline std::vector<Growth_curve> empty_curves()
@@ -39,12 +46,14 @@ inline std::vector<Growth_curve> empty_curves()
   std::vector<Growth_curve> curves;
   for(PMP::Placement_method method : placement_methods)
     curves.push_back({ name_of(method), {}, {} });
+  curves.push_back({ "projection", {}, {} });
   return curves;
 }
 
 inline const std::vector<std::string>& growth_columns()
 {
-  static const std::vector<std::string> columns{ "vertices", "triangles", "seconds", "microseconds a vertex" };
+  static const std::vector<std::string> columns{ "vertices", "triangles", "seconds", "microseconds a vertex",
+                                                "/ projection" };
   return columns;
 }
 

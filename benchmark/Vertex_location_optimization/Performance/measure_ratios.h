@@ -25,19 +25,6 @@ struct Baselines
   double sparse_fit = 0; // (c)
 };
 
-inline double time_of_standard_projection(const Mesh& mesh, const Mesh& reference)
-{
-  const Standard_tree<Mesh> tree(reference);
-  const std::vector<Point> queries = vertices_and_midpoints(mesh);
-  std::vector<Point> feet(queries.size());
-  return thread_time_of(
-      [&]
-      {
-        for(std::size_t i = 0; i < queries.size(); ++i)
-          feet[i] = tree.closest_point(queries[i]);
-      });
-}
-
 inline double time_of_sparse_fit(Mesh mesh, const Surface& surface)
 {
   return thread_time_of([&] { fit_sparse_least_squares(mesh, surface, [](Mesh::Vertex_index) { return false; }); });

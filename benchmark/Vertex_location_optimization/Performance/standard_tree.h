@@ -6,13 +6,16 @@
 #ifndef VERTEX_LOCATION_OPTIMIZATION_BENCHMARK_STANDARD_TREE_H
 #define VERTEX_LOCATION_OPTIMIZATION_BENCHMARK_STANDARD_TREE_H
 
+#include "meshes.h"
+
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/compatibility.h>
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Kernel_traits.h>
 
-#include <memory>
+#include <cstddef>
+#include <vector>
 
 // CGAL's AABB tree as its manual shows it for a mesh, built and ready for closest points.
 template <typename TriangleMesh>
@@ -44,5 +47,19 @@ public:
 private:
   Tree m_tree;
 };
+
+// seconds for the closest points to the vertices and midpoints of `mesh`
+inline double time_of_standard_projection(const Mesh& mesh, const Mesh& reference)
+{
+  const Standard_tree<Mesh> tree(reference);
+  const std::vector<Point> queries = vertices_and_midpoints(mesh);
+  std::vector<Point> feet(queries.size());
+  return thread_time_of(
+      [&]
+      {
+        for(std::size_t i = 0; i < queries.size(); ++i)
+          feet[i] = tree.closest_point(queries[i]);
+      });
+}
 
 #endif // VERTEX_LOCATION_OPTIMIZATION_BENCHMARK_STANDARD_TREE_H

@@ -144,14 +144,18 @@ public:
     return false;
   }
 
-  // Moves sample i to the foot of `query`: to where walking from the last foot leads. The tree is asked only if that point
-  // is so far away that the closest one may be nearer by more than the tolerance.
+  // Takes sample i at the foot of `query` to where walking from `hint`, a point nearby, leads. The tree is asked only if that
+  // point is so far away that the closest one may be nearer by more than the tolerance.
   template <typename ReferenceSurface>
-  void update(std::size_t i, const ReferenceSurface& reference, const Sampling_tolerance& tolerance, const Point& query)
+  void project_near(std::size_t i,
+                    const ReferenceSurface& reference,
+                    const Sampling_tolerance& tolerance,
+                    const Point& query,
+                    const Hint& hint)
   {
-    set_foot(i, reference, query, project_near(reference, query, hint(i)));
+    set_foot(i, reference, query, vertex_location::project_near(reference, query, hint));
     if(!(norm(offset(i)) <= tolerance.distance))
-      project(i, reference, query, hint(i));
+      project(i, reference, query, m_hints[i]);
   }
 
 private:

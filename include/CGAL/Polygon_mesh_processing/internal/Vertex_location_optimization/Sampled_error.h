@@ -58,12 +58,15 @@ public:
     allocate_at_barycenters();
   }
 
-  // Takes the distance at the barycenter of face f, of which this is the foot.
-  void set_barycenter(std::size_t f, const Foot& foot)
+  // samples face f at its barycenter
+  void sample_barycenter(std::size_t f)
   {
-    const std::array<Point, 3> t = triangle(f);
-    m_at_barycenter[f] = distance_to_foot(point_at(t, Coordinates()), foot);
-    m_opposition[f] = opposition_at(foot, area_normal(t[0], t[1], t[2]));
+    constexpr double near = 0.1; // relative to the mean edge length; other sheets are thought to be farther away
+    const Point p = point_at(triangle(f), Coordinates());
+    const Foot foot = project_near(m_reference, p, hint_near(f));
+    set_barycenter(f, foot);
+    if(m_opposition[f] != Opposition::NONE || m_at_barycenter[f] > near * m_state.mean_edge_length)
+      set_barycenter(f, project(p, foot));
   }
 
   // Takes samples, which have been taken where the points of the mesh are; then these are the targets. Each distance is that
@@ -324,14 +327,12 @@ private:
     samples.set_offset(k, convert<Point>(m_reference.point(project_near(m_reference, query, samples.hint(k)))) - query);
   }
 
-  void sample_barycenter(std::size_t f)
+  // takes the distance at the barycenter of face f, of which this is the foot
+  void set_barycenter(std::size_t f, const Foot& foot)
   {
-    constexpr double near = 0.1; // relative to the mean edge length; other sheets are thought to be farther away
-    const Point p = point_at(triangle(f), Coordinates());
-    const Foot foot = project_near(m_reference, p, hint_near(f));
-    set_barycenter(f, foot);
-    if(m_opposition[f] != Opposition::NONE || m_at_barycenter[f] > near * m_state.mean_edge_length)
-      set_barycenter(f, project(p, foot));
+    const std::array<Point, 3> t = triangle(f);
+    m_at_barycenter[f] = distance_to_foot(point_at(t, Coordinates()), foot);
+    m_opposition[f] = opposition_at(foot, area_normal(t[0], t[1], t[2]));
   }
 
   Opposition opposition_at(const Foot& foot, const Vector& normal) const

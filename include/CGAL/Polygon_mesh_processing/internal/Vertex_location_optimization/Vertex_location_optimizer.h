@@ -142,9 +142,9 @@ private:
   {
     if(is_first())
     {
-      start_samples<ConcurrencyTag>(m_reference, m_state, [&](std::size_t f, const auto& foot)
+      start_samples<ConcurrencyTag>(m_reference, tolerance(), m_state, [&](std::size_t f)
       {
-        m_harm_criterion.set_barycenter_of_remesh(f, foot);
+        m_harm_criterion.sample_face_of_remesh(f);
       });
       m_harm_criterion.template measure_remesh<ConcurrencyTag>();
       if(is_least_squares())

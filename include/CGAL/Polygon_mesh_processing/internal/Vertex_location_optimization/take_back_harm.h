@@ -10,6 +10,7 @@
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Sampled_error.h>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <map>
 #include <set>
@@ -26,7 +27,6 @@ namespace vertex_location {
 template <typename ReferenceSurface>
 class Harm_criterion
 {
-  using Foot = typename ReferenceSurface::Foot;
   using Hint = Hint_of<ReferenceSurface>;
   using State = Optimization_state<Hint>;
 
@@ -35,10 +35,10 @@ public:
     : m_state(state), m_flips(state), m_error(reference, state)
   {}
 
-  // takes the foot of the barycenter of face f of the remesh
-  void set_barycenter_of_remesh(std::size_t f, const Foot& foot) { m_error.set_barycenter(f, foot); }
+  // takes face f of the remesh, in the first iteration when it has been sampled
+  void sample_face_of_remesh(std::size_t f) { m_error.sample_barycenter(f); }
 
-  // takes the remesh, in the first iteration when it has been sampled, to compare with
+  // takes the remesh to compare with, when all its faces have been taken
   template <typename ConcurrencyTag>
   void measure_remesh()
   {
@@ -62,10 +62,14 @@ public:
 
   // whether the targets' mean error is not clearly below that of the remesh
   template <typename ConcurrencyTag>
-  bool is_mean_bad() const
+  bool is_mean_bad()
   {
     constexpr double margin = 0.9999; // for what lies between the samples
-    return !(m_error.template mean<ConcurrencyTag>() <= margin * m_mean_of_remesh);
+    constexpr double near = 0.9;      // above which the closest points are searched, to which walking may not have led
+    const double mean = m_error.template mean<ConcurrencyTag>();
+    if(!(mean <= near * m_mean_of_remesh) && m_integrals_of_remesh.empty())
+      measure_remesh_exactly<ConcurrencyTag>();
+    return !(mean <= margin * m_mean_of_remesh);
   }
 
   bool is_bad(std::size_t f) const
@@ -80,20 +84,26 @@ public:
 
   void update(Index i) { m_error.update(i); }
 
-  template <typename ConcurrencyTag>
-  void make_strict()
-  {
-    m_integrals_of_remesh.resize(m_state.mesh.number_of_faces());
-    for_each_index<ConcurrencyTag>(m_integrals_of_remesh.size(), [&](std::size_t f)
-    {
-      m_integrals_of_remesh[f] = m_error.integral_in_remesh(f);
-    });
-    m_is_strict = true;
-  }
-
+  void make_strict() { m_is_strict = true; }
   bool is_strict() const { return m_is_strict; }
 
 private:
+  template <typename ConcurrencyTag>
+  void measure_remesh_exactly()
+  {
+    const std::size_t n = m_state.mesh.number_of_faces();
+    m_integrals_of_remesh.resize(n);
+    for_each_index<ConcurrencyTag>(n, [&](std::size_t f) { m_integrals_of_remesh[f] = m_error.integral_in_remesh(f); });
+    const double area = sum_over_indices<ConcurrencyTag, double>(n, [&](std::size_t f)
+    {
+      const std::array<Point, 3> t = m_state.mesh.triangle(f, m_state.initial_points);
+      return norm(area_normal(t[0], t[1], t[2])) / 2;
+    });
+    const double integral =
+      sum_over_indices<ConcurrencyTag, double>(n, [&](std::size_t f) { return m_integrals_of_remesh[f]; });
+    m_mean_of_remesh = area > 0 ? integral / area : 0;
+  }
+
   bool has_moved(std::size_t f) const
   {
     for(Index i : m_state.mesh.face(f))
@@ -111,7 +121,7 @@ private:
   const State& m_state;
   Flip_criterion<Hint> m_flips;
   Sampled_error<ReferenceSurface> m_error;
-  std::vector<double> m_integrals_of_remesh; // of the error over each face, if the criterion is strict
+  std::vector<double> m_integrals_of_remesh; // of the error over each face, once they are needed
   std::map<Index, Opposition> m_oppositions_of_remesh; // where there are any
   double m_mean_of_remesh = 0;
   double m_max_error = 0; // what a face must not exceed
@@ -212,7 +222,7 @@ void take_back_harm(Harm_criterion<ReferenceSurface>& criterion,
           }
         break;
       }
-      criterion.template make_strict<ConcurrencyTag>();
+      criterion.make_strict();
     }
     else if(!separate_faces(state, find_new_intersections(state), number_of_halvings, is_shortened))
       break;

@@ -116,6 +116,47 @@ void test_between_samples()
   }
 }
 
+// Two parallel sheets that are nearer to each other than the remesh can tell: the closest points to the samples of a face
+// lie on both.
+void test_two_sheets()
+{
+  start_topic("two sheets");
+  constexpr double distance = 0.03;
+  Soup sheets;
+  for(double z : { 0., distance })
+  {
+    const std::size_t i = sheets.points.size();
+    for(const auto& [x, y] : { std::pair(-5, -5), std::pair(12, -5), std::pair(12, 12), std::pair(-5, 12) })
+      sheets.points.emplace_back(x, y, z);
+    sheets.triangles.push_back({ i, i + 1, i + 2 });
+    sheets.triangles.push_back({ i, i + 2, i + 3 });
+  }
+  const PMP::Flat_triangle_surface<Mesh> surface(make_mesh(sheets));
+  const auto mean_error = [](const Mesh& mesh)
+  {
+    return measure_errors(mesh, 12, [](const Point& p)
+    {
+      return (std::min)(std::abs(p.z()), std::abs(p.z() - distance));
+    }).mean;
+  };
+
+  CGAL::Random random(1);
+  for(int i = 0; i < 200; ++i)
+  {
+    const Mesh remesh = make_mesh(transformed(triangle_grid(6, 6), [&](const Point& p)
+    {
+      const double x = random.get_double(0, 0.3), y = random.get_double(0, 0.3);
+      return Point(p.x() + x, p.y() + y, random.get_double(-distance, 2 * distance));
+    }));
+    for(PMP::Placement_method method : { PMP::PIECEWISE_LINEAR, PMP::LEAST_SQUARES })
+    {
+      Mesh mesh = remesh;
+      PMP::optimize_vertex_locations(mesh, surface, CGAL::parameters::placement_method(method));
+      CHECK_AT_MOST(mean_error(mesh), mean_error(remesh));
+    }
+  }
+}
+
 // a plate of thickness 0.02, which edges of length 0.1 hardly resolve
 Soup plate(std::size_t n)
 {
@@ -152,6 +193,7 @@ int main()
   }
   test_between_samples();
   test_hopeless();
+  test_two_sheets();
   const Mesh thin = make_mesh(plate(32));
   test("plate", thin, make_mesh(plate(8)));
   test("plate, remeshed", thin, make_remesh(thin, 0.1));

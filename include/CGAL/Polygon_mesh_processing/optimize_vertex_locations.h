@@ -6,6 +6,7 @@
 #ifndef CGAL_POLYGON_MESH_PROCESSING_OPTIMIZE_VERTEX_LOCATIONS_H
 #define CGAL_POLYGON_MESH_PROCESSING_OPTIMIZE_VERTEX_LOCATIONS_H
 
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Initial_points.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/memory.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/named_parameters.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/read_parameters.h>
@@ -242,14 +243,7 @@ optimize_vertex_locations(TriangleMesh& tmesh,
   release(mesh.edge_corners); // what they and the edges are needed for is in the constraints
   release(descriptors.edges);
 
-  const auto read_points = [&]()
-  {
-    std::vector<Point> points;
-    points.reserve(descriptors.vertices.size());
-    for(auto v : descriptors.vertices)
-      points.push_back(convert<Point>(get(vpm, v)));
-    return points;
-  };
+  const Initial_points<TriangleMesh, decltype(vpm)> initial_points(descriptors.vertices, vpm, mesh.points);
 
   auto is_allowed = choose_parameter(get_parameter(np1, internal_np::allow_move_functor), Allow_all_moves());
   const auto allow_move = [&](std::size_t i, const Point& source, const Point& target)
@@ -275,11 +269,11 @@ optimize_vertex_locations(TriangleMesh& tmesh,
 
     using Surface = std::decay_t<decltype(surface)>;
     Optimization_state<Hint_of<Surface>> state(std::move(mesh), std::move(constraints), options.placement_method);
-    const auto report = optimize<ConcurrencyTag>(state, surface, options, read_points, allow_move,
+    const auto report = optimize<ConcurrencyTag>(state, surface, options, initial_points, allow_move,
                                                  find_self_intersections, visitor);
 
     for(std::size_t i = 0; i < state.mesh.points.size(); ++i)
-      if(state.mesh.points[i] != convert<Point>(get(vpm, descriptors.vertices[i])))
+      if(state.mesh.points[i] != initial_points(i))
         put(vpm, descriptors.vertices[i], convert<Point_3>(state.mesh.points[i]));
     return report;
   });

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -75,13 +76,16 @@ struct Mesh_arrays
     return centroid(t[0], t[1], t[2]);
   }
 
-  Vector area_normal(std::size_t f) const
+  Vector area_normal(std::size_t f) const { return area_normal(f, points); }
+
+  Vector area_normal(std::size_t f, const std::vector<Point>& at) const
   {
-    const std::array<Point, 3> t = triangle(f);
+    const std::array<Point, 3> t = triangle(f, at);
     return vertex_location::area_normal(t[0], t[1], t[2]);
   }
 
-  double area(std::size_t f) const { return norm(area_normal(f)) / 2; }
+  double area(std::size_t f) const { return area(f, points); }
+  double area(std::size_t f, const std::vector<Point>& at) const { return norm(area_normal(f, at)) / 2; }
 
   Index vertex(Index corner) const { return face(corner / 3)[corner % 3]; }
   static Index next(Index corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }

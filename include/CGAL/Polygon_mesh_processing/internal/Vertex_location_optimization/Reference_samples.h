@@ -144,18 +144,14 @@ public:
     return false;
   }
 
-  // Takes sample i at the foot of `query` to where walking from `hint`, a point nearby, leads. The tree is asked only if that
-  // point is so far away that the closest one may be nearer by more than the tolerance.
+  // Moves sample i to the foot of `query`: to where walking from the last foot leads. The tree is asked only if that point
+  // is so far away that the closest one may be nearer by more than the tolerance.
   template <typename ReferenceSurface>
-  void project_near(std::size_t i,
-                    const ReferenceSurface& reference,
-                    const Sampling_tolerance& tolerance,
-                    const Point& query,
-                    const Hint& hint)
+  void update(std::size_t i, const ReferenceSurface& reference, const Sampling_tolerance& tolerance, const Point& query)
   {
-    set_foot(i, reference, query, vertex_location::project_near(reference, query, hint));
+    set_foot(i, reference, query, project_near(reference, query, hint(i)));
     if(!(norm(offset(i)) <= tolerance.distance))
-      project(i, reference, query, m_hints[i]);
+      project(i, reference, query, hint(i));
   }
 
 private:

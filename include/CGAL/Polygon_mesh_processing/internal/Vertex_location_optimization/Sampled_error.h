@@ -58,20 +58,17 @@ public:
     allocate_at_barycenters();
   }
 
-  // samples face f at its barycenter
-  void sample_barycenter(std::size_t f)
+  // Takes the distance at the barycenter of face f, of which this is the foot.
+  void set_barycenter(std::size_t f, const Foot& foot)
   {
-    constexpr double near = 0.1; // relative to the mean edge length; other sheets are thought to be farther away
-    const Point p = point_at(triangle(f), Coordinates());
-    const Foot foot = project_near(m_reference, p, hint_near(f));
-    set_barycenter(f, foot);
-    if(m_opposition[f] != Opposition::NONE || m_at_barycenter[f] > near * m_state.mean_edge_length)
-      set_barycenter(f, project(p, foot));
+    const std::array<Point, 3> t = triangle(f);
+    m_at_barycenter[f] = distance_to_foot(point_at(t, Coordinates()), foot);
+    m_opposition[f] = opposition_at(foot, area_normal(t[0], t[1], t[2]));
   }
 
   // Takes samples, which have been taken where the points of the mesh are; then these are the targets. Each distance is that
   // to the point where walking from the foot of the last iteration leads, or to the last sample if the query has hardly
-  // moved since; rather more than less.
+  // moved since that was taken; rather more than less.
   template <typename ConcurrencyTag>
   void sample()
   {
@@ -105,7 +102,7 @@ public:
     release(m_opposition);
   }
 
-  // samples anew what has changed with vertex i
+  // samples anew what has changed with vertex i; then its point, too, is its target
   void update(Index i)
   {
     walk(m_state.vertex_samples, i, m_state.targets[i]);
@@ -118,11 +115,7 @@ public:
     m_state.mesh.points[i] = m_state.targets[i];
   }
 
-  double area(std::size_t f) const
-  {
-    const std::array<Point, 3> t = triangle(f);
-    return norm(area_normal(t[0], t[1], t[2])) / 2;
-  }
+  double area(std::size_t f) const { return m_state.mesh.area(f, m_state.targets); }
 
   // integral of the distance over face f
   double integral(std::size_t f) const
@@ -134,7 +127,7 @@ public:
       at_vertices += at_vertex(vertices[k]);
       at_midpoints += at_midpoint(m_state.mesh.face_edges[f][k]);
     }
-    return integral(triangle(f), at_vertices, at_midpoints, m_at_barycenter[f]);
+    return area(f) * mean_of(at_vertices, at_midpoints, m_at_barycenter[f]);
   }
 
   // the same in the remesh, at closest points
@@ -149,7 +142,8 @@ public:
       at_midpoints += distance(midpoint(t[(k + 1) % 3], t[(k + 2) % 3]),
                                m_state.midpoint_samples.hint(m_state.mesh.face_edges[f][k]));
     }
-    return integral(t, at_vertices, at_midpoints, distance(point_at(t, Coordinates()), hint_near(f)));
+    const double at_barycenter = distance(point_at(t, Coordinates()), hint_near(f));
+    return m_state.mesh.area(f, m_state.initial_points) * mean_of(at_vertices, at_midpoints, at_barycenter);
   }
 
   template <typename ConcurrencyTag>
@@ -218,10 +212,10 @@ private:
   double at_vertex(std::size_t i) const { return norm(m_state.vertex_samples.offset(i)); }
   double at_midpoint(std::size_t e) const { return norm(m_state.midpoint_samples.offset(e)); }
 
-  // of three distances at the vertices, three at the midpoints and that at the barycenter
-  static double integral(const std::array<Point, 3>& t, double at_vertices, double at_midpoints, double at_barycenter)
+  // the mean over a face from the sums over its vertices and midpoints
+  static double mean_of(double at_vertices, double at_midpoints, double at_barycenter)
   {
-    return norm(area_normal(t[0], t[1], t[2])) / 2 * (at_vertices / 20 + at_midpoints * 2 / 15 + at_barycenter * 9 / 20);
+    return at_vertices / 20 + at_midpoints * 2 / 15 + at_barycenter * 9 / 20;
   }
 
   void allocate_at_barycenters()
@@ -327,12 +321,14 @@ private:
     samples.set_offset(k, convert<Point>(m_reference.point(project_near(m_reference, query, samples.hint(k)))) - query);
   }
 
-  // takes the distance at the barycenter of face f, of which this is the foot
-  void set_barycenter(std::size_t f, const Foot& foot)
+  void sample_barycenter(std::size_t f)
   {
-    const std::array<Point, 3> t = triangle(f);
-    m_at_barycenter[f] = distance_to_foot(point_at(t, Coordinates()), foot);
-    m_opposition[f] = opposition_at(foot, area_normal(t[0], t[1], t[2]));
+    constexpr double near = 0.1; // relative to the mean edge length; other sheets are thought to be farther away
+    const Point p = point_at(triangle(f), Coordinates());
+    const Foot foot = project_near(m_reference, p, hint_near(f));
+    set_barycenter(f, foot);
+    if(m_opposition[f] != Opposition::NONE || m_at_barycenter[f] > near * m_state.mean_edge_length)
+      set_barycenter(f, project(p, foot));
   }
 
   Opposition opposition_at(const Foot& foot, const Vector& normal) const

@@ -83,7 +83,8 @@ void take_normals(const ReferenceSurface& reference,
     auto next = place.begin();
     reference.for_each_area_sample(of_reference.area, [&](const auto& foot)
     {
-      of_reference.normals[*next++] = convert<Vector>(reference.normal(foot));
+      if(next != place.end()) // should rounding make one more of them now
+        of_reference.normals[*next++] = convert<Vector>(reference.normal(foot));
     });
   }
 }

@@ -51,12 +51,12 @@ struct Options
   double regularity_weight = 0.15; // of LEAST_SQUARES
 };
 
-// Algorithm 1: moves the vertices of the mesh in `state` to where its faces approximate `reference` best. `ReadPoints` is a
-// functor () -> std::vector<Point> for the points of the remesh, which are not kept; `AllowMove` is a functor
-// (i, source, target) -> bool, `FindSelfIntersections` is a `Self_intersection_test`.
+// Algorithm 1: moves the vertices of the mesh in `state` to where its faces approximate `reference` best. `InitialPoints`
+// are `Initial_points`, `AllowMove` is a functor (i, source, target) -> bool, `FindSelfIntersections` is a
+// `Self_intersection_test`.
 template <typename ConcurrencyTag,
           typename ReferenceSurface,
-          typename ReadPoints,
+          typename InitialPoints,
           typename AllowMove,
           typename FindSelfIntersections,
           typename Visitor>
@@ -68,15 +68,15 @@ public:
   Vertex_location_optimizer(State& state,
                             const ReferenceSurface& reference,
                             const Options& options,
-                            const ReadPoints& read_initial_points,
+                            const InitialPoints& initial_points,
                             const AllowMove& allow_move,
                             const FindSelfIntersections& find_self_intersections,
                             Visitor& visitor)
-    : m_state(state), m_reference(reference), m_options(options), m_read_initial_points(read_initial_points),
+    : m_state(state), m_reference(reference), m_options(options), m_initial_points(initial_points),
       m_allow_move(allow_move),
       m_find_self_intersections(find_self_intersections), m_visitor(visitor),
       m_feature_edges(Feature_curves_of<ReferenceSurface>::get(reference), state),
-      m_harm_criterion(reference, state), m_is_shortened(state.mesh.points.size(), 0)
+      m_harm_criterion(reference, state), m_is_shortened(state.mesh.points.size())
   {}
 
   Vertex_location_optimization_report run()
@@ -142,9 +142,9 @@ private:
   {
     if(is_first())
     {
-      start_samples<ConcurrencyTag>(m_reference, tolerance(), m_state, [&](std::size_t f)
+      start_samples<ConcurrencyTag>(m_reference, m_state, [&](std::size_t f, const auto& foot)
       {
-        m_harm_criterion.sample_face_of_remesh(f);
+        m_harm_criterion.set_barycenter_of_remesh(f, foot);
       });
       m_harm_criterion.template measure_remesh<ConcurrencyTag>();
       if(is_least_squares())
@@ -188,7 +188,7 @@ private:
   void correct()
   {
     keep_non_finite_targets_away();
-    m_state.initial_points = m_read_initial_points();
+    m_state.initial_points = m_initial_points.all();
     do
       correct_flips<ConcurrencyTag>(m_state, m_is_shortened);
     while(refuse_moves(m_state.mesh.points));
@@ -207,7 +207,7 @@ private:
     for(auto* samples : { &m_state.vertex_samples, &m_state.midpoint_samples, &m_state.barycenter_samples })
       samples->end_updates();
 
-    m_state.initial_points = m_read_initial_points();
+    m_state.initial_points = m_initial_points.all();
     take_back_harm<ConcurrencyTag>(m_harm_criterion, m_state, [&]() { return refuse_moves(m_state.initial_points); },
                                    m_find_self_intersections, m_is_shortened);
     count_corrected_vertices();
@@ -275,20 +275,20 @@ private:
 
   void count_corrected_vertices()
   {
-    m_report.corrected_vertices = std::count(m_is_shortened.begin(), m_is_shortened.end(), 1);
+    m_report.corrected_vertices = std::count(m_is_shortened.begin(), m_is_shortened.end(), true);
   }
 
   State& m_state;
   const ReferenceSurface& m_reference;
   const Options m_options;
-  const ReadPoints& m_read_initial_points;
+  const InitialPoints& m_initial_points;
   const AllowMove& m_allow_move;
   const FindSelfIntersections& m_find_self_intersections;
   Visitor& m_visitor;
   Feature_edges m_feature_edges;
   Samples_of_reference m_of_reference; // of LEAST_SQUARES
   Harm_criterion<ReferenceSurface> m_harm_criterion;
-  std::vector<char> m_is_shortened;
+  std::vector<bool> m_is_shortened;
   bool m_is_sampled = false;  // the samples are those of the points, not of the targets, where the points were
   bool m_has_settled = false; // the vertices have not moved farther than the threshold
   double m_displacement_along_normals = 0; // in the last iteration, root mean square
@@ -297,20 +297,20 @@ private:
 
 template <typename ConcurrencyTag,
           typename ReferenceSurface,
-          typename ReadPoints,
+          typename InitialPoints,
           typename AllowMove,
           typename FindSelfIntersections,
           typename Visitor>
 Vertex_location_optimization_report optimize(Optimization_state<Hint_of<ReferenceSurface>>& state,
                                              const ReferenceSurface& reference,
                                              const Options& options,
-                                             const ReadPoints& read_initial_points,
+                                             const InitialPoints& initial_points,
                                              const AllowMove& allow_move,
                                              const FindSelfIntersections& find_self_intersections,
                                              Visitor& visitor)
 {
-  return Vertex_location_optimizer<ConcurrencyTag, ReferenceSurface, ReadPoints, AllowMove, FindSelfIntersections, Visitor>(
-    state, reference, options, read_initial_points, allow_move, find_self_intersections, visitor).run();
+  return Vertex_location_optimizer<ConcurrencyTag, ReferenceSurface, InitialPoints, AllowMove, FindSelfIntersections, Visitor>(
+    state, reference, options, initial_points, allow_move, find_self_intersections, visitor).run();
 }
 
 } // namespace vertex_location

@@ -64,7 +64,7 @@ private:
 
 // Shortens moves of this iteration until no face is flipped or collapsed.
 template <typename ConcurrencyTag, typename Hint>
-void correct_flips(Optimization_state<Hint>& state, std::vector<char>& is_shortened)
+void correct_flips(Optimization_state<Hint>& state, std::vector<bool>& is_shortened)
 {
   Flip_criterion<Hint> criterion(state);
   shorten_moves<ConcurrencyTag>(state, state.mesh.points, criterion, is_shortened);

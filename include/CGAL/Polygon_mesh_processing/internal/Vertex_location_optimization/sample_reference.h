@@ -20,13 +20,12 @@ namespace internal {
 namespace vertex_location {
 
 // Section 3.1: takes p_i and n_i from the reference at the foot of each vertex, m_ij at the foot of the midpoint of each
-// edge, and samples at the feet of the barycenters of the faces, if the state has them; in the first iteration, as exactly
-// as `tolerance` says. Calls on_face(f) for each face when its samples have been taken.
-template <typename ConcurrencyTag, typename ReferenceSurface, typename OnFace>
+// edge; in the first iteration. Calls on_barycenter(f, foot) with the foot of the barycenter of each face f, at which
+// samples are taken, too, if the state has them.
+template <typename ConcurrencyTag, typename ReferenceSurface, typename OnBarycenter>
 void start_samples(const ReferenceSurface& reference,
-                   const Sampling_tolerance& tolerance,
                    Optimization_state<Hint_of<ReferenceSurface>>& state,
-                   const OnFace& on_face)
+                   const OnBarycenter& on_barycenter)
 {
   const Mesh_arrays& mesh = state.mesh;
   for_each_element<ConcurrencyTag>(mesh,
@@ -36,15 +35,16 @@ void start_samples(const ReferenceSurface& reference,
     },
     [&](std::size_t e)
     {
-      state.midpoint_samples.project_near(e, reference, tolerance, mesh.midpoint(e),
-                                          state.vertex_samples.hint(mesh.edges[e][0]));
+      state.midpoint_samples.project(e, reference, mesh.midpoint(e), state.vertex_samples.hint(mesh.edges[e][0]));
     },
     [&](std::size_t f)
     {
+      const Point query = mesh.barycenter(f);
+      const auto foot = reference.project(convert<typename ReferenceSurface::Point_3>(query),
+                                          state.midpoint_samples.hint(mesh.edge_at_first_vertex(f)));
       if(!state.barycenter_samples.empty())
-        state.barycenter_samples.project_near(f, reference, tolerance, mesh.barycenter(f),
-                                              state.midpoint_samples.hint(mesh.edge_at_first_vertex(f)));
-      on_face(f);
+        state.barycenter_samples.set_foot(f, reference, query, foot);
+      on_barycenter(f, foot);
     });
 }
 
@@ -89,7 +89,7 @@ void update_samples(const ReferenceSurface& reference,
       }
     }
     for(std::size_t k : is_due)
-      samples.project_near(k, reference, tolerance, query_at(k), samples.hint(k));
+      samples.update(k, reference, tolerance, query_at(k));
   });
 }
 

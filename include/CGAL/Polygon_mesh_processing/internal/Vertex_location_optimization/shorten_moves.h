@@ -6,9 +6,9 @@
 #ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_SHORTEN_MOVES_H
 #define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_SHORTEN_MOVES_H
 
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/for_each_index.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Optimization_state.h>
 
-#include <map>
 #include <set>
 #include <utility>
 #include <vector>
@@ -19,9 +19,9 @@ namespace internal {
 namespace vertex_location {
 
 // Halves the move of a vertex from `origin`, to which it returns when it has been halved too often.
-inline void halve_move(const Point& origin, Point& target, int& number_of_halvings)
+inline void halve_move(const Point& origin, Point& target, unsigned char& number_of_halvings)
 {
-  constexpr int max_halvings = 6;
+  constexpr unsigned char max_halvings = 6;
   target = ++number_of_halvings > max_halvings ? origin : midpoint(origin, target);
 }
 
@@ -35,19 +35,23 @@ template <typename ConcurrencyTag, typename Hint, typename Criterion>
 void shorten_moves(Optimization_state<Hint>& state,
                    const std::vector<Point>& origins,
                    Criterion& criterion,
-                   std::vector<char>& is_shortened)
+                   std::vector<bool>& is_shortened)
 {
   const Mesh_arrays& mesh = state.mesh;
-  const std::vector<Index> bad_at_first =
+  const std::vector<Index> bad_faces =
     find_indices<ConcurrencyTag>(mesh.number_of_faces(), [&](std::size_t f) { return criterion.is_bad(f); });
-  std::set<Index> bad_faces(bad_at_first.begin(), bad_at_first.end());
+  if(bad_faces.empty())
+    return;
 
-  std::map<Index, int> number_of_corrections;
+  std::vector<bool> is_bad(mesh.number_of_faces());
+  for(Index f : bad_faces)
+    is_bad[f] = true;
+  std::vector<unsigned char> number_of_corrections(mesh.points.size(), 0);
   std::set<std::pair<int, Index>> queue; // of pairs (n_i - C_i, i)
   auto number_of_bad_faces = [&](Index i)
   {
     int number = 0;
-    state.for_each_corner(i, [&](Index c) { number += bad_faces.count(c / 3) > 0; });
+    state.for_each_corner(i, [&](Index c) { number += is_bad[c / 3]; });
     return number;
   };
   auto enqueue = [&](Index i)
@@ -58,7 +62,7 @@ void shorten_moves(Optimization_state<Hint>& state,
   };
   auto dequeue = [&](Index i) { queue.erase({ number_of_corrections[i] - number_of_bad_faces(i), i }); };
 
-  for(Index f : bad_at_first)
+  for(Index f : bad_faces)
     for(Index i : mesh.face(f))
       enqueue(i);
 
@@ -76,16 +80,10 @@ void shorten_moves(Optimization_state<Hint>& state,
     for(Index j : neighborhood)
       dequeue(j);
 
-    is_shortened[i] = 1;
+    is_shortened[i] = true;
     halve_move(origins[i], state.targets[i], number_of_corrections[i]);
     criterion.update(i);
-    state.for_each_corner(i, [&](Index c)
-    {
-      if(criterion.is_bad(c / 3))
-        bad_faces.insert(c / 3);
-      else
-        bad_faces.erase(c / 3);
-    });
+    state.for_each_corner(i, [&](Index c) { is_bad[c / 3] = criterion.is_bad(c / 3); });
 
     for(Index j : neighborhood)
       enqueue(j);

@@ -10,9 +10,7 @@
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Sampled_error.h>
 
 #include <algorithm>
-#include <array>
 #include <iterator>
-#include <map>
 #include <set>
 #include <vector>
 
@@ -27,6 +25,7 @@ namespace vertex_location {
 template <typename ReferenceSurface>
 class Harm_criterion
 {
+  using Foot = typename ReferenceSurface::Foot;
   using Hint = Hint_of<ReferenceSurface>;
   using State = Optimization_state<Hint>;
 
@@ -35,19 +34,24 @@ public:
     : m_state(state), m_flips(state), m_error(reference, state)
   {}
 
-  // takes face f of the remesh, in the first iteration when it has been sampled
-  void sample_face_of_remesh(std::size_t f) { m_error.sample_barycenter(f); }
+  // takes the foot of the barycenter of face f of the remesh
+  void set_barycenter_of_remesh(std::size_t f, const Foot& foot) { m_error.set_barycenter(f, foot); }
 
-  // takes the remesh to compare with, when all its faces have been taken
+  // takes the remesh, in the first iteration when it has been sampled, to compare with
   template <typename ConcurrencyTag>
   void measure_remesh()
   {
     constexpr double margin = 0.98; // for what lies between the samples
     m_mean_of_remesh = m_error.template mean<ConcurrencyTag>();
     m_max_error = margin * m_error.maximum();
-    const auto is_opposed = [&](std::size_t f) { return m_error.opposition(f) != Opposition::NONE; };
-    for(Index f : find_indices<ConcurrencyTag>(m_state.mesh.number_of_faces(), is_opposed))
-      m_oppositions_of_remesh[f] = m_error.opposition(f);
+    const std::size_t n = m_state.mesh.number_of_faces();
+    m_is_some_opposed_in_remesh.resize(n);
+    m_is_all_opposed_in_remesh.resize(n);
+    for(std::size_t f = 0; f < n; ++f)
+    {
+      m_is_some_opposed_in_remesh[f] = m_error.opposition(f) != Opposition::NONE;
+      m_is_all_opposed_in_remesh[f] = m_error.opposition(f) == Opposition::ALL;
+    }
     m_error.free_memory();
   }
 
@@ -62,14 +66,10 @@ public:
 
   // whether the targets' mean error is not clearly below that of the remesh
   template <typename ConcurrencyTag>
-  bool is_mean_bad()
+  bool is_mean_bad() const
   {
     constexpr double margin = 0.9999; // for what lies between the samples
-    constexpr double near = 0.9;      // above which the closest points are searched, to which walking may not have led
-    const double mean = m_error.template mean<ConcurrencyTag>();
-    if(!(mean <= near * m_mean_of_remesh) && m_integrals_of_remesh.empty())
-      measure_remesh_exactly<ConcurrencyTag>();
-    return !(mean <= margin * m_mean_of_remesh);
+    return !(m_error.template mean<ConcurrencyTag>() <= margin * m_mean_of_remesh);
   }
 
   bool is_bad(std::size_t f) const
@@ -77,33 +77,27 @@ public:
     if(!has_moved(f))
       return false;
     return m_flips.is_bad(f) ||
-           m_error.opposition(f) > opposition_in_remesh(static_cast<Index>(f)) ||
+           m_error.opposition(f) > opposition_in_remesh(f) ||
            (is_strict() && m_error.integral(f) > m_integrals_of_remesh[f]) ||
            (!(m_error.maximum(f, m_max_error) <= m_max_error) && m_error.has_grown(f));
   }
 
   void update(Index i) { m_error.update(i); }
 
-  void make_strict() { m_is_strict = true; }
+  template <typename ConcurrencyTag>
+  void make_strict()
+  {
+    m_integrals_of_remesh.resize(m_state.mesh.number_of_faces());
+    for_each_index<ConcurrencyTag>(m_integrals_of_remesh.size(), [&](std::size_t f)
+    {
+      m_integrals_of_remesh[f] = m_error.integral_in_remesh(f);
+    });
+    m_is_strict = true;
+  }
+
   bool is_strict() const { return m_is_strict; }
 
 private:
-  template <typename ConcurrencyTag>
-  void measure_remesh_exactly()
-  {
-    const std::size_t n = m_state.mesh.number_of_faces();
-    m_integrals_of_remesh.resize(n);
-    for_each_index<ConcurrencyTag>(n, [&](std::size_t f) { m_integrals_of_remesh[f] = m_error.integral_in_remesh(f); });
-    const double area = sum_over_indices<ConcurrencyTag, double>(n, [&](std::size_t f)
-    {
-      const std::array<Point, 3> t = m_state.mesh.triangle(f, m_state.initial_points);
-      return norm(area_normal(t[0], t[1], t[2])) / 2;
-    });
-    const double integral =
-      sum_over_indices<ConcurrencyTag, double>(n, [&](std::size_t f) { return m_integrals_of_remesh[f]; });
-    m_mean_of_remesh = area > 0 ? integral / area : 0;
-  }
-
   bool has_moved(std::size_t f) const
   {
     for(Index i : m_state.mesh.face(f))
@@ -112,17 +106,17 @@ private:
     return false;
   }
 
-  Opposition opposition_in_remesh(Index f) const
+  Opposition opposition_in_remesh(std::size_t f) const
   {
-    const auto found = m_oppositions_of_remesh.find(f);
-    return found == m_oppositions_of_remesh.end() ? Opposition::NONE : found->second;
+    return m_is_all_opposed_in_remesh[f] ? Opposition::ALL
+                                         : m_is_some_opposed_in_remesh[f] ? Opposition::SOME : Opposition::NONE;
   }
 
   const State& m_state;
   Flip_criterion<Hint> m_flips;
   Sampled_error<ReferenceSurface> m_error;
-  std::vector<double> m_integrals_of_remesh; // of the error over each face, once they are needed
-  std::map<Index, Opposition> m_oppositions_of_remesh; // where there are any
+  std::vector<double> m_integrals_of_remesh; // of the error over each face, if the criterion is strict
+  std::vector<bool> m_is_some_opposed_in_remesh, m_is_all_opposed_in_remesh; // normals, by each face
   double m_mean_of_remesh = 0;
   double m_max_error = 0; // what a face must not exceed
   bool m_is_strict = false;
@@ -162,8 +156,8 @@ private:
 template <typename Hint, typename FacePairs>
 bool separate_faces(Optimization_state<Hint>& state,
                     const FacePairs& pairs,
-                    std::vector<int>& number_of_halvings,
-                    std::vector<char>& is_shortened)
+                    std::vector<unsigned char>& number_of_halvings,
+                    std::vector<bool>& is_shortened)
 {
   std::set<Index> vertices;
   for(const auto& pair : pairs)
@@ -176,7 +170,7 @@ bool separate_faces(Optimization_state<Hint>& state,
     if(state.targets[i] != state.initial_points[i])
     {
       halve_move(state.initial_points[i], state.targets[i], number_of_halvings[i]);
-      is_shortened[i] = 1;
+      is_shortened[i] = true;
       separated = true;
     }
   return separated;
@@ -196,11 +190,11 @@ void take_back_harm(Harm_criterion<ReferenceSurface>& criterion,
                     Optimization_state<Hint_of<ReferenceSurface>>& state,
                     const RefuseMoves& refuse_moves,
                     const FindSelfIntersections& find_self_intersections,
-                    std::vector<char>& is_shortened)
+                    std::vector<bool>& is_shortened)
 {
   Find_new_intersections<FindSelfIntersections> find_new_intersections(find_self_intersections);
 
-  std::vector<int> number_of_halvings(state.targets.size(), 0);
+  std::vector<unsigned char> number_of_halvings(state.targets.size(), 0);
   for(;;)
   {
     do
@@ -218,11 +212,11 @@ void take_back_harm(Harm_criterion<ReferenceSurface>& criterion,
           if(state.targets[i] != state.initial_points[i])
           {
             state.targets[i] = state.initial_points[i];
-            is_shortened[i] = 1;
+            is_shortened[i] = true;
           }
         break;
       }
-      criterion.make_strict();
+      criterion.template make_strict<ConcurrencyTag>();
     }
     else if(!separate_faces(state, find_new_intersections(state), number_of_halvings, is_shortened))
       break;

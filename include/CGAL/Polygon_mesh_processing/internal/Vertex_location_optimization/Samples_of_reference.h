@@ -200,7 +200,8 @@ void start_samples_of_reference(const ReferenceSurface& reference,
   sort_by_face(of_reference);
 }
 
-// Finds them from the last closest points, but keeps those of faces whose vertices have gone no farther than `tolerance`.
+// Finds the closest points of the remesh from the last ones, but keeps those on faces whose vertices have gone no farther
+// than `tolerance`.
 template <typename ConcurrencyTag, typename Hint>
 void walk_to_closest_faces(const Optimization_state<Hint>& state,
                            const double tolerance,

@@ -73,8 +73,7 @@ public:
                             const FindSelfIntersections& find_self_intersections,
                             Visitor& visitor)
     : m_state(state), m_reference(reference), m_options(options), m_initial_points(initial_points),
-      m_allow_move(allow_move),
-      m_find_self_intersections(find_self_intersections), m_visitor(visitor),
+      m_allow_move(allow_move), m_find_self_intersections(find_self_intersections), m_visitor(visitor),
       m_feature_edges(Feature_curves_of<ReferenceSurface>::get(reference), state),
       m_harm_criterion(reference, state), m_is_shortened(state.mesh.points.size())
   {}

@@ -21,14 +21,13 @@ namespace vertex_location {
 class PN_triangle
 {
 public:
-  // What a corner i contributes: its normals on both sides of the edges to the corners i + 1 and i + 2. The two are the
-  // same unless the edge is a crease. The normal of the triangle itself is that of its own side.
+  // What a corner contributes. The offsets are those of the control points next to it from their places on the edges to
+  // the next and to the previous corner.
   struct Corner
   {
     Point point;
     Vector normal;
-    Vector normal_across_next;     // beyond the edge to the corner i + 1
-    Vector normal_across_previous; // beyond the edge to the corner i + 2
+    std::array<Vector, 2> offsets;
   };
 
   PN_triangle() = default;
@@ -37,12 +36,8 @@ public:
   {
     // the control points
     const Point &b300 = c[0].point, &b030 = c[1].point, &b003 = c[2].point;
-    const Point b210 = edge_point(c[0], c[1], c[0].normal_across_next),
-                b120 = edge_point(c[1], c[0], c[1].normal_across_previous),
-                b021 = edge_point(c[1], c[2], c[1].normal_across_next),
-                b012 = edge_point(c[2], c[1], c[2].normal_across_previous),
-                b102 = edge_point(c[2], c[0], c[2].normal_across_next),
-                b201 = edge_point(c[0], c[2], c[0].normal_across_previous);
+    const Point b210 = control_point(c, 0, 1), b120 = control_point(c, 1, 0), b021 = control_point(c, 1, 2),
+                b012 = control_point(c, 2, 1), b102 = control_point(c, 2, 0), b201 = control_point(c, 0, 2);
     const Vector e = ((b210 - ORIGIN) + (b120 - ORIGIN) + (b021 - ORIGIN) +
                       (b012 - ORIGIN) + (b102 - ORIGIN) + (b201 - ORIGIN)) / 6;
     const Vector m = ((b300 - ORIGIN) + (b030 - ORIGIN) + (b003 - ORIGIN)) / 3;
@@ -138,19 +133,10 @@ private:
     Vector du, dv, duu, duv, dvv;
   };
 
-  // Control point of the boundary curve from `from` to `to` next to `from`. The curve is tangent to the planes on both
-  // sides of the edge, so that both triangles have the same curve, also where the edge is a crease.
-  static Point edge_point(const Corner& from, const Corner& to, const Vector& normal_across)
+  // the control point next to corner i on the side to corner j
+  static Point control_point(const std::array<Corner, 3>& c, const int i, const int j)
   {
-    const Vector d = to.point - from.point;
-    const Vector t = cross_product(from.normal, normal_across);
-    const double t2 = t.squared_length();
-    if(t2 > 0.01)
-      return from.point + ((d * t) / (3 * t2)) * t;
-
-    // the planes are nearly the same: below some 6 degrees their intersection says little
-    const Vector n = normalized(from.normal + normal_across);
-    return from.point + (d - (d * n) * n) / 3;
+    return c[i].point + ((c[j].point - c[i].point) / 3 + c[i].offsets[j == (i + 1) % 3 ? 0 : 1]);
   }
 
   static Vector edge_normal(const Corner& a, const Corner& b)

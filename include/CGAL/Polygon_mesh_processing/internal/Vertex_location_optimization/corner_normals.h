@@ -96,30 +96,6 @@ private:
   const std::vector<char>& m_is_crease;
 };
 
-// The normals at the corners of the faces: the average over their sector, weighted by the angles. All corners of a
-// sector have the same normal, to the last bit.
-template <typename ConcurrencyTag>
-std::vector<Vector> compute_corner_normals(const Mesh_arrays& mesh,
-                                           const std::vector<Vector>& face_normals,
-                                           const std::vector<char>& is_crease)
-{
-  const Sectors sectors(mesh, is_crease);
-  std::vector<Vector> normals(3 * mesh.number_of_faces());
-  for_each_index<ConcurrencyTag>(normals.size(), [&](std::size_t i)
-  {
-    Vector sum = NULL_VECTOR;
-    sectors.for_each_corner(static_cast<Index>(i), [&](Index corner)
-    {
-      const Point& p = mesh.points[mesh.vertex(corner)];
-      const Point& q = mesh.points[mesh.vertex(Mesh_arrays::next(corner))];
-      const Point& r = mesh.points[mesh.vertex(Mesh_arrays::previous(corner))];
-      sum = sum + angle_at(p, q, r) * face_normals[corner / 3];
-    });
-    normals[i] = normalized(sum);
-  });
-  return normals;
-}
-
 } // namespace vertex_location
 } // namespace internal
 } // namespace Polygon_mesh_processing

@@ -6,6 +6,7 @@
 #ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_MAKE_REFERENCE_PATCHES_H
 #define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_MAKE_REFERENCE_PATCHES_H
 
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/boundary_curves.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/corner_normals.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Feature_curves.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/memory.h>
@@ -46,7 +47,7 @@ std::vector<char> find_creases(const Mesh_arrays& mesh,
   std::vector<char> is_crease(mesh.edges.size(), 0);
   if constexpr(has_angle || !has_map)
   {
-    const double angle = to_double(choose_parameter(get_parameter(np, internal_np::sharpness_angle), 45.));
+    const double angle = to_double(choose_parameter(get_parameter(np, internal_np::sharpness_angle), 40.));
     is_crease = detect_creases<ConcurrencyTag>(mesh, face_normals, std::cos(angle * CGAL_PI / 180));
   }
   if constexpr(has_map)
@@ -77,23 +78,29 @@ void make_patches(const Mesh_arrays& mesh,
                   const std::vector<char>& is_crease,
                   std::vector<PN_triangle>& patches)
 {
-  const std::vector<Vector> corner_normals = compute_corner_normals<ConcurrencyTag>(mesh, face_normals, is_crease);
-  auto normal_or = [&](Index corner, const Vector& otherwise)
-  {
-    return corner == no_index ? otherwise : corner_normals[corner];
-  };
+  const Facets facets = find_facets(mesh, face_normals, is_crease);
+  const Sector_graph graph(mesh, is_crease, facets);
+  const std::vector<Vector> sector_normals =
+    compute_sector_normals<ConcurrencyTag>(mesh, face_normals, is_crease, facets, graph);
+  std::vector<Boundary_curve> curves = compute_boundary_curves<ConcurrencyTag>(mesh, facets, graph, sector_normals);
+  const std::vector<Vector> normals =
+    compute_patch_normals<ConcurrencyTag>(mesh, face_normals, facets, graph, sector_normals, curves);
 
   patches.resize(mesh.number_of_faces());
   for_each_index<ConcurrencyTag>(patches.size(), [&](std::size_t f)
   {
+    const std::array<Index, 3> vertices = mesh.face(f);
     std::array<PN_triangle::Corner, 3> corners;
     for(Index k = 0; k < 3; ++k)
     {
-      const Index c = static_cast<Index>(3 * f + k);
-      const Vector& n = corner_normals[c];
-      // the edge to the next corner is the one opposite to the previous corner
-      corners[k] = { mesh.points[mesh.vertex(c)], n,
-                     normal_or(mesh.corner_across_previous(c), n), normal_or(mesh.corner_across_next(c), n) };
+      PN_triangle::Corner& corner = corners[k];
+      corner.point = mesh.points[vertices[k]];
+      corner.normal = normals[3 * f + k];
+      for(Index side = 0; side < 2; ++side) // to the next corner, and to the previous one
+      {
+        const Index e = mesh.face_edges[f][(k + 2 - side) % 3];
+        corner.offsets[side] = curves[e].offsets[mesh.edges[e][0] == vertices[k] ? 0 : 1];
+      }
     }
     patches[f] = PN_triangle(corners);
   });

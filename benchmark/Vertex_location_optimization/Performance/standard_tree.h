@@ -8,7 +8,7 @@
 
 #include "meshes.h"
 
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/compatibility.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/compatibility.h>
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/AABB_tree.h>

@@ -6,8 +6,8 @@
 #ifndef CGAL_POLYGON_MESH_PROCESSING_PN_TRIANGLE_SURFACE_H
 #define CGAL_POLYGON_MESH_PROCESSING_PN_TRIANGLE_SURFACE_H
 
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/named_parameters.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Patch_surface.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/named_parameters.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/Patch_surface.h>
 
 #include <CGAL/Default.h>
 #include <CGAL/tags.h>

@@ -6,12 +6,12 @@
 #ifndef CGAL_POLYGON_MESH_PROCESSING_APPROXIMATION_ERROR_H
 #define CGAL_POLYGON_MESH_PROCESSING_APPROXIMATION_ERROR_H
 
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/measure_error.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/measure_normals.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/named_parameters.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/normal_maps.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/read_parameters.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/with_reference_surface.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Measure/measure_error.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Measure/measure_normals.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/named_parameters.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Attributes/normal_maps.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/read_parameters.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/with_reference_surface.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>

@@ -7,7 +7,7 @@
 #define CGAL_GEOMETRY_IMAGE_INTERNAL_SAMPLE_PARAMETERIZED_MESH_H
 
 #include <CGAL/Geometry_image/Geometry_image.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/geometry.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/geometry.h>
 
 #include <CGAL/Surface_mesh.h>
 

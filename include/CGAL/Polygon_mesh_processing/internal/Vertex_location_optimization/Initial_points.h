@@ -6,7 +6,7 @@
 #ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_INITIAL_POINTS_H
 #define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_INITIAL_POINTS_H
 
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/geometry.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/geometry.h>
 
 #include <CGAL/Kernel_traits.h>
 

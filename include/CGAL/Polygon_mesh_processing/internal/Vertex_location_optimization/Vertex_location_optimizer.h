@@ -6,14 +6,14 @@
 #ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_VERTEX_LOCATION_OPTIMIZER_H
 #define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_VERTEX_LOCATION_OPTIMIZER_H
 
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/correct_flips.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Feature_edges.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/fit_least_squares.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/fit_piecewise_linear.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/relax_springs.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Samples_of_reference.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/sample_reference.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/take_back_harm.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Flip_criterion.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Placement/Feature_placement.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Placement/Least_squares_placement.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Placement/Piecewise_linear_placement.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Placement/relax_springs.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Sampling/Area_samples.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Sampling/Remesh_samples.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/take_back_harm.h>
 #include <CGAL/Polygon_mesh_processing/Placement_method.h>
 #include <CGAL/Polygon_mesh_processing/Vertex_location_optimization_report.h>
 

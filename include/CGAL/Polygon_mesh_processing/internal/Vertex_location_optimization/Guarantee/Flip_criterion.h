@@ -1,0 +1,78 @@
+// Copyright (c) 2026 The Vertex_location_optimization authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_CORRECT_FLIPS_H
+#define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_CORRECT_FLIPS_H
+
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/shorten_moves.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Polygon_mesh_processing {
+namespace internal {
+namespace vertex_location {
+
+// A face is bad if it is flipped: the targets of its vertices turn its normal by more than 60 degrees from that in the
+// remesh; or if it collapses: its smallest angle falls below 10 degrees and below half of that in the remesh. A face that
+// has no area in the remesh is never bad.
+template <typename Hint>
+class Flip_criterion
+{
+public:
+  explicit Flip_criterion(const Optimization_state<Hint>& state) : m_state(state) {}
+
+  bool is_bad(std::size_t f) const
+  {
+    constexpr double cosine_of_flip = 0.5;
+    constexpr double sine_of_collapse = 0.17364817766693036; // of 10 degrees
+
+    const std::array<Point, 3> before = m_state.mesh.triangle(f, m_state.initial_points),
+                               after = m_state.mesh.triangle(f, m_state.targets);
+    const Vector m = area_normal(before[0], before[1], before[2]), n = area_normal(after[0], after[1], after[2]);
+    const double area_before = norm(m), area_after = norm(n);
+    if(!(area_before > 0))
+      return false;
+    if(!(m * n > cosine_of_flip * area_before * area_after))
+      return true;
+
+    const double squared_sine = squared_sine_of_smallest_angle(after, area_after);
+    if(squared_sine >= square(sine_of_collapse))
+      return false;
+    const double squared_sine_before = squared_sine_of_smallest_angle(before, area_before);
+    const double cosine_before = std::sqrt((std::max)(0., 1 - squared_sine_before));
+    return squared_sine < squared_sine_before / (2 * (1 + cosine_before)); // of half the angle
+  }
+
+  void update(std::size_t) {}
+
+private:
+  // the smallest angle is between the two longest sides
+  static double squared_sine_of_smallest_angle(const std::array<Point, 3>& t, const double twice_area)
+  {
+    const double a = squared_distance(t[0], t[1]), b = squared_distance(t[1], t[2]), c = squared_distance(t[2], t[0]);
+    return square(twice_area) / (std::max)({ a * b, b * c, c * a });
+  }
+
+  const Optimization_state<Hint>& m_state;
+};
+
+// Shortens moves of this iteration until no face is flipped or collapsed.
+template <typename ConcurrencyTag, typename Hint>
+void correct_flips(Optimization_state<Hint>& state, std::vector<bool>& is_shortened)
+{
+  Flip_criterion<Hint> criterion(state);
+  shorten_moves<ConcurrencyTag>(state, state.mesh.points, criterion, is_shortened);
+}
+
+} // namespace vertex_location
+} // namespace internal
+} // namespace Polygon_mesh_processing
+} // namespace CGAL
+
+#endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_CORRECT_FLIPS_H

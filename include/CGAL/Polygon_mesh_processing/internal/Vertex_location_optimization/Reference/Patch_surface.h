@@ -1,0 +1,90 @@
+// Copyright (c) 2026 The Vertex_location_optimization authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_PATCH_SURFACE_H
+#define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_PATCH_SURFACE_H
+
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/make_reference_patches.h>
+
+#include <CGAL/assertions.h>
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/Default.h>
+#include <CGAL/Kernel_traits.h>
+
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Polygon_mesh_processing {
+namespace internal {
+namespace vertex_location {
+
+// The kernel of the points of a mesh that has an internal vertex point map.
+template <typename TriangleMesh>
+struct Kernel_of
+{
+  using Vertex_point_map = typename boost::property_map<TriangleMesh, vertex_point_t>::const_type;
+  using type = typename Kernel_traits<typename boost::property_traits<Vertex_point_map>::value_type>::Kernel;
+};
+
+template <typename TriangleMesh, typename GeomTraits>
+using Geom_traits_or_kernel_of = typename Default::Lazy_get<GeomTraits, Kernel_of<TriangleMesh>>::type;
+
+// What the two models of `ReferenceSurface` have in common, see there.
+template <typename Patch, typename GeomTraits>
+class Patch_surface
+{
+public:
+  using Geom_traits = GeomTraits;
+  using Point_3 = typename Geom_traits::Point_3;
+  using Vector_3 = typename Geom_traits::Vector_3;
+  using Foot = Patch_foot;
+  using Hint = Patch_hint; // what a hint needs of a foot; not part of the concept
+
+  bool is_empty() const { return m_patches.tree.empty(); }
+
+  Foot project(const Point_3& query) const { return project(query, Foot()); }
+
+  Foot project(const Point_3& query, const Foot& hint) const
+  {
+    CGAL_precondition(!is_empty());
+    return m_patches.project(convert<Point>(query), hint);
+  }
+
+  Point_3 point(const Foot& foot) const { return convert<Point_3>(m_patches.tree.point(foot)); }
+  Vector_3 normal(const Foot& foot) const { return convert<Vector_3>(m_patches.tree.normal(foot)); }
+
+  // the closest point near `hint`, see `Reference_patches::walk()`; not part of the concept
+  Foot project_near(const Point_3& query, const Foot& hint) const { return m_patches.walk(convert<Point>(query), hint); }
+
+  // asks for what `project_near()` reads, to be called some time before it; not part of the concept
+  void prefetch(const Foot& hint) const { m_patches.prefetch(hint); }
+
+  // The feet that are the same point: where it is on an edge or a vertex they have the normals of the faces around it.
+  // Not part of the concept.
+  Coinciding_feet coinciding_feet(const Foot& foot) const { return m_patches.coinciding_feet(foot); }
+
+  double area() const { return m_patches.area(); } // not part of the concept
+
+  // calls f(foot) for samples of the surface, see `Reference_patches::for_each_area_sample()`; not part of the concept
+  template <typename F>
+  void for_each_area_sample(double area, const F& f) const { m_patches.for_each_area_sample(area, f); }
+
+  // the creases and borders; not part of the concept
+  const Feature_curves& feature_curves() const { return m_patches.curves; }
+
+protected:
+  explicit Patch_surface(Reference_patches<Patch> patches) : m_patches(std::move(patches)) {}
+
+private:
+  Reference_patches<Patch> m_patches;
+};
+
+} // namespace vertex_location
+} // namespace internal
+} // namespace Polygon_mesh_processing
+} // namespace CGAL
+
+#endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_PATCH_SURFACE_H

@@ -54,7 +54,10 @@ void add_surface_rows(Table& table, const std::string& name, const std::vector<P
   using Foot = typename Surface::Foot;
   std::vector<Foot> feet;
   std::vector<double> row = cold_and_warm(queries, surface, feet);
-  row.push_back(nanoseconds(queries, feet, [&](const Point& q, const Foot& f) { return surface.project_near(q, f); }));
+  row.push_back(nanoseconds(queries, feet, [&](const Point& q, const Foot& f)
+  {
+    return surface.patches().project_locally({ q.x(), q.y(), q.z() }, f);
+  }));
   table.add_row(name, row);
 }
 

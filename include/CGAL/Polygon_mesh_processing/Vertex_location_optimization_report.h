@@ -39,18 +39,18 @@ struct Vertex_location_optimization_report
  *
  * \brief The phases of a run, in their order: those of an iteration, and the last one, which ends the run.
  */
-enum Vertex_location_optimization_phase
+enum class Vertex_location_optimization_phase
 {
   /// samples are taken from the reference surface
   SAMPLE_REFERENCE,
-  /// the vertices are fitted to the samples
-  FIT_VERTICES,
+  /// the vertices are placed among the samples
+  PLACE_VERTICES,
   /// the vertices are relaxed along the surface; nothing is done in it after the free iterations
   RELAX_VERTICES,
   /// moves that flip a face are shortened
   CORRECT_FLIPS,
-  /// after the iterations: the error is compared with that of the input, and moves that do harm are shortened
-  TAKE_BACK_HARM
+  /// after the iterations: the result is compared with the input, and moves that make it worse are shortened
+  ENFORCE_GUARANTEE
 };
 
 /*!

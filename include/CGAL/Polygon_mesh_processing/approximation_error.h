@@ -6,19 +6,18 @@
 #ifndef CGAL_POLYGON_MESH_PROCESSING_APPROXIMATION_ERROR_H
 #define CGAL_POLYGON_MESH_PROCESSING_APPROXIMATION_ERROR_H
 
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Attributes/normal_maps.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Measure/measure_error.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Measure/measure_normals.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/with_reference.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/named_parameters.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Attributes/normal_maps.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/read_mesh.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/read_parameters.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/with_reference_surface.h>
 
-#include <CGAL/assertions.h>
 #include <CGAL/tags.h>
 
 #include <limits>
 #include <type_traits>
-#include <vector>
 
 namespace CGAL {
 namespace Polygon_mesh_processing {
@@ -156,26 +155,16 @@ Approximation_error approximation_error(const TriangleMesh& tmesh,
   constexpr bool has_vertex_map = !is_default_parameter<NamedParameters1, internal_np::vertex_error_map_t>::value;
   constexpr double infinity = std::numeric_limits<double>::infinity();
 
-  const auto vpm = read_vertex_point_map(tmesh, np1);
-  const bool is_valid = is_valid_input(tmesh, vpm);
-  CGAL_precondition(is_valid);
-  if(!is_valid)
-    return { infinity, infinity, infinity };
-
+  Mesh_arrays mesh;
   Mesh_descriptors<TriangleMesh> descriptors;
-  const Mesh_arrays mesh = make_mesh_arrays(tmesh, vpm, descriptors);
+  const Approximation_error failure{ infinity, infinity, infinity };
+  if(!read_mesh(tmesh, read_vertex_point_map(tmesh, np1), mesh, descriptors))
+    return failure;
   const std::size_t number_of_points = choose_parameter(get_parameter(np1, internal_np::number_of_points_per_face),
                                                         default_number_of_points_per_face);
 
-  return with_reference_surface<ConcurrencyTag>(reference, np2, [&](const auto& surface) -> Approximation_error
+  return with_reference<ConcurrencyTag>(mesh, reference, np2, failure, [&](const auto& surface) -> Approximation_error
   {
-    if(mesh.points.empty())
-      return {};
-    const bool has_reference = !is_empty_surface(surface);
-    CGAL_precondition(has_reference);
-    if(!has_reference)
-      return { infinity, infinity, infinity };
-
     const auto vertex_feet = project_vertices<ConcurrencyTag>(mesh, surface);
     const auto face_errors = measure_faces<ConcurrencyTag>(mesh, surface, vertex_feet, number_of_points);
 

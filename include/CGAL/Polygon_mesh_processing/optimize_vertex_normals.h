@@ -7,12 +7,12 @@
 #define CGAL_POLYGON_MESH_PROCESSING_OPTIMIZE_VERTEX_NORMALS_H
 
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Attributes/fit_normals.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/named_parameters.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Attributes/normal_maps.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/with_reference.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/named_parameters.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/read_mesh.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/read_parameters.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/with_reference_surface.h>
 
-#include <CGAL/assertions.h>
 #include <CGAL/tags.h>
 
 #include <vector>
@@ -110,29 +110,21 @@ void optimize_vertex_normals(const TriangleMesh& tmesh,
 {
   using namespace internal::vertex_location;
 
-  const auto vpm = read_vertex_point_map(tmesh, np1);
-  const bool is_valid = is_valid_input(tmesh, vpm);
-  CGAL_precondition(is_valid);
-  if(!is_valid)
-    return;
-
+  Mesh_arrays mesh;
   Mesh_descriptors<TriangleMesh> descriptors;
-  const Mesh_arrays mesh = make_mesh_arrays(tmesh, vpm, descriptors);
+  if(!read_mesh(tmesh, read_vertex_point_map(tmesh, np1), mesh, descriptors))
+    return;
   const std::vector<char> is_crease = find_constrained_edges(mesh, descriptors, np1);
 
-  with_reference_surface<ConcurrencyTag>(reference, np2, [&](const auto& surface)
+  with_reference<ConcurrencyTag>(mesh, reference, np2, false, [&](const auto& surface)
   {
-    const bool has_reference = !is_empty_surface(surface) || mesh.points.empty();
-    CGAL_precondition(has_reference);
-    if(!has_reference)
-      return;
-
     const auto samples = sample_normals<ConcurrencyTag>(mesh, surface, is_crease);
     const auto corner_normals = fit_normals<ConcurrencyTag>(mesh, samples, is_crease);
     if constexpr(Is_corner_map<TriangleMesh, NormalMap>::value)
       write_corner_normals(tmesh, descriptors, corner_normals, normal_map);
     else
       write_vertex_normals(descriptors, choose_vertex_normals(mesh, samples, is_crease, corner_normals), normal_map);
+    return true;
   });
 }
 

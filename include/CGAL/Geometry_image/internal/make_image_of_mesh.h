@@ -8,7 +8,7 @@
 
 #include <CGAL/Geometry_image/internal/parameterize_over_square.h>
 #include <CGAL/Geometry_image/internal/sample_parameterized_mesh.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/Mesh_arrays.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/read_mesh.h>
 
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/Named_function_parameters.h>

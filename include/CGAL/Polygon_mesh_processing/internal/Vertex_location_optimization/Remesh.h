@@ -3,16 +3,16 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_OPTIMIZATION_STATE_H
-#define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_OPTIMIZATION_STATE_H
+#ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_REMESH_H
+#define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_REMESH_H
 
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/for_each_index.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/Index_groups.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/Mesh_arrays.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Sampling/Closest_points.h>
-#include <CGAL/Polygon_mesh_processing/Placement_method.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -30,90 +30,65 @@ enum class Vertex_kind : char
 
 struct Constraints
 {
-  std::vector<Vertex_kind> kinds;  // of the vertices
-  std::vector<Index> edges;        // the constrained edges and the border edges
+  std::vector<Vertex_kind> kinds; // of the vertices
+  std::vector<Index> edges;       // the constrained edges and the border edges
 };
 
-// What the phases of an iteration read and write. Hint is the `Hint_of` the reference surface.
-template <typename Hint>
-struct Optimization_state
+// The mesh that is optimized, M_t after t iterations.
+struct Remesh : Mesh_arrays
 {
-  Optimization_state(Mesh_arrays mesh_arrays, Constraints c, const Placement_method method)
-    : mesh(std::move(mesh_arrays)), constraints(std::move(c)), targets(mesh.points),
-      mean_edge_length(compute_mean_edge_length()), spring_length(compute_spring_length()),
-      vertex_samples(mesh.points.size(), mean_edge_length, true),
-      midpoint_samples(mesh.edges.size(), mean_edge_length, method == LEAST_SQUARES),
-      barycenter_samples(method == LEAST_SQUARES ? mesh.number_of_faces() : 0, mean_edge_length, true)
-  {
-    group_corners_by_vertex();
-  }
+  Remesh(Mesh_arrays mesh, Constraints c)
+    : Mesh_arrays(std::move(mesh)), constraints(std::move(c)), initial_points(points), previous_points(points),
+      next_points(points), mean_edge_length(compute_mean_edge_length()),
+      corners_of_vertices(points.size(), 3 * number_of_faces(), [this](Index corner) { return vertex(corner); })
+  {}
 
   // calls f(c) for each corner c at vertex i
   template <typename F>
-  void for_each_corner(std::size_t i, const F& f) const
-  {
-    for(Index k = m_first_corner[i]; k < m_first_corner[i + 1]; ++k)
-      f(m_corners[k]);
-  }
+  void for_each_corner(std::size_t i, const F& f) const { corners_of_vertices.for_each(i, f); }
 
   bool is_free(std::size_t i) const { return constraints.kinds[i] == Vertex_kind::FREE; }
 
-  // whether the fit leaves vertex i where it is
+  // whether the placement leaves vertex i where it is
   bool is_at_rest(std::size_t i) const
   {
-    return squared_distance(targets[i], mesh.points[i]) <= square(1e-9 * mean_edge_length);
+    return squared_distance(next_points[i], points[i]) <= square(1e-9 * mean_edge_length);
   }
 
-  // by how much vertex i moved in the last iteration; to be asked before its target is set
-  Vector last_displacement(std::size_t i) const { return mesh.points[i] - targets[i]; }
+  Vector last_displacement(std::size_t i) const { return points[i] - previous_points[i]; }
 
-  Mesh_arrays mesh;                         // M_t, with the points v_i
-  Constraints constraints;
-  std::vector<Point> initial_points;        // of M_0; only while moves are corrected
-  std::vector<Point> targets;               // p^_i, which become the points of M_t+1; before they are set, M_t-1
+  double largest_displacement() const
+  {
+    double largest2 = 0;
+    for(std::size_t i = 0; i < points.size(); ++i)
+      largest2 = (std::max)(largest2, (next_points[i] - points[i]).squared_length());
+    return std::sqrt(largest2);
+  }
 
-  double mean_edge_length;                  // of M_0
-  double spring_length;                     // sigma of (3)
+  // goes on to M_t+1; `next_points` are to be set then
+  void advance()
+  {
+    previous_points.swap(points);
+    points = next_points;
+  }
 
-  Reference_samples<Hint> vertex_samples;     // p_i and n_i
-  Reference_samples<Hint> midpoint_samples;   // m_ij, with normals if the fit takes them
-  Reference_samples<Hint> barycenter_samples; // empty if the fit takes none
+  // the points of M_t are those of the base
+  const Constraints constraints;
+  const std::vector<Point> initial_points; // of M_0
+  std::vector<Point> previous_points;      // of M_t-1; of M_0 in the first iteration
+  std::vector<Point> next_points;          // p^_i, which become the points of M_t+1
+
+  const double mean_edge_length; // of M_0
+  const Index_groups corners_of_vertices;
 
 private:
   double compute_mean_edge_length() const
   {
     double sum = 0;
-    for(const std::array<Index, 2>& e : mesh.edges)
-      sum += norm(mesh.points[e[1]] - mesh.points[e[0]]);
-    return mesh.edges.empty() ? 0 : sum / mesh.edges.size();
+    for(const std::array<Index, 2>& e : edges)
+      sum += norm(points[e[1]] - points[e[0]]);
+    return edges.empty() ? 0 : sum / edges.size();
   }
-
-  double compute_spring_length() const
-  {
-    double area = 0;
-    for(std::size_t f = 0; f < mesh.number_of_faces(); ++f)
-      area += mesh.area(f);
-    return 0.3 * std::sqrt(area / mesh.points.size());
-  }
-
-  void group_corners_by_vertex()
-  {
-    m_first_corner.assign(mesh.points.size() + 1, 0);
-    for(std::size_t f = 0; f < mesh.number_of_faces(); ++f)
-      for(Index i : mesh.face(f))
-        ++m_first_corner[i + 1];
-    for(std::size_t i = 0; i < mesh.points.size(); ++i)
-      m_first_corner[i + 1] += m_first_corner[i];
-
-    m_corners.resize(3 * mesh.number_of_faces());
-    std::vector<Index> end(m_first_corner.begin(), m_first_corner.end() - 1);
-    for(Index c = 0; c < m_corners.size(); ++c)
-      m_corners[end[mesh.vertex(c)]++] = c;
-  }
-
-  // the corners at vertex i are m_corners[m_first_corner[i]], ..., m_corners[m_first_corner[i + 1] - 1]
-  std::vector<Index> m_first_corner;
-  std::vector<Index> m_corners;
 };
 
 } // namespace vertex_location
@@ -121,4 +96,4 @@ private:
 } // namespace Polygon_mesh_processing
 } // namespace CGAL
 
-#endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_OPTIMIZATION_STATE_H
+#endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_REMESH_H

@@ -6,8 +6,8 @@
 #ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_FIT_NORMALS_H
 #define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_FIT_NORMALS_H
 
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Placement/Piecewise_linear_placement.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Attributes/sample_normals.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Placement/piecewise_linear_update.h>
 
 #include <vector>
 

@@ -6,7 +6,7 @@
 #ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_NORMAL_MAPS_H
 #define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_NORMAL_MAPS_H
 
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/Mesh_arrays.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/read_mesh.h>
 
 #include <type_traits>
 #include <vector>

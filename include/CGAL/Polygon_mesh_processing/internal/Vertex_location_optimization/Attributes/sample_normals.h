@@ -27,13 +27,13 @@ struct Normal_samples
 
 // Takes the normals of a reference at the vertices and at the midpoints of the edges of a mesh. At a crease the reference
 // has two normals: each face takes that of its own side.
-template <typename ReferenceSurface>
+template <typename Reference>
 class Normal_sampler
 {
-  using Foot = typename ReferenceSurface::Foot;
+  using Foot = typename Reference::Foot;
 
 public:
-  Normal_sampler(const Mesh_arrays& mesh, const ReferenceSurface& reference, const std::vector<char>& is_crease)
+  Normal_sampler(const Mesh_arrays& mesh, const Reference& reference, const std::vector<char>& is_crease)
     : m_mesh(mesh), m_reference(reference), m_is_crease(is_crease), m_sectors(mesh, is_crease),
       m_on_crease(mesh.points.size(), 0)
   {
@@ -53,7 +53,7 @@ public:
     std::vector<Foot> feet(m_mesh.points.size());
     for_each_index<ConcurrencyTag>(m_mesh.points.size(), [&](std::size_t i)
     {
-      feet[i] = m_reference.project(convert<Reference_point>(m_mesh.points[i]));
+      feet[i] = m_reference.project(m_mesh.points[i]);
       samples.at_vertices[i] = normal(feet[i]);
     });
 
@@ -61,7 +61,7 @@ public:
     for_each_index<ConcurrencyTag>(m_mesh.edges.size(), [&](std::size_t e)
     {
       if(!m_is_crease[e])
-        at_edges[e] = normal_at(midpoint_of_edge(e), feet[m_mesh.edges[e][0]]);
+        at_edges[e] = normal_at(m_mesh.midpoint(e), feet[m_mesh.edges[e][0]]);
     });
 
     samples.at_corners.resize(3 * m_mesh.number_of_faces());
@@ -73,7 +73,7 @@ public:
                             ? normal_on_side(c / 3, m_mesh.points[i], feet[i], normals_beyond_sector(corner))
                             : samples.at_vertices[i];
       samples.at_midpoints[c] = m_is_crease[e]
-                              ? normal_on_side(c / 3, midpoint_of_edge(e), feet[m_mesh.edges[e][0]],
+                              ? normal_on_side(c / 3, m_mesh.midpoint(e), feet[m_mesh.edges[e][0]],
                                                { normal_beyond(c / 3, e) })
                               : at_edges[e];
     });
@@ -81,18 +81,11 @@ public:
   }
 
 private:
-  using Reference_point = typename ReferenceSurface::Point_3;
-
-  Point midpoint_of_edge(std::size_t e) const
-  {
-    return midpoint(m_mesh.points[m_mesh.edges[e][0]], m_mesh.points[m_mesh.edges[e][1]]);
-  }
-
-  Vector normal(const Foot& foot) const { return normalized(convert<Vector>(m_reference.normal(foot))); }
+  Vector normal(const Foot& foot) const { return normalized(m_reference.normal(foot)); }
 
   Vector normal_at(const Point& p, const Foot& hint) const
   {
-    return normal(m_reference.project(convert<Reference_point>(p), hint));
+    return normal(m_reference.project(p, hint));
   }
 
   // The normal near `p`, a point of the face f on a crease, on the side of the face: as near as the reference has a normal
@@ -110,8 +103,7 @@ private:
     const Vector at_p = normal_at(p, hint);
     if(is_on_side(at_p))
       return at_p;
-    const std::array<Point, 3> t = m_mesh.triangle(f);
-    const Vector to_inside = centroid(t[0], t[1], t[2]) - p;
+    const Vector to_inside = m_mesh.barycenter(f) - p;
     for(const double step : { 1 / 16., 1 / 8., 1 / 4., 1 / 2., 1. })
     {
       const Vector n = normal_at(p + step * to_inside, hint);
@@ -144,19 +136,19 @@ private:
   }
 
   const Mesh_arrays& m_mesh;
-  const ReferenceSurface& m_reference;
+  const Reference& m_reference;
   const std::vector<char>& m_is_crease;
   const Sectors m_sectors;
   std::vector<char> m_on_crease;
   std::vector<Vector> m_face_normals;
 };
 
-template <typename ConcurrencyTag, typename ReferenceSurface>
+template <typename ConcurrencyTag, typename Reference>
 Normal_samples sample_normals(const Mesh_arrays& mesh,
-                              const ReferenceSurface& reference,
+                              const Reference& reference,
                               const std::vector<char>& is_crease)
 {
-  return Normal_sampler<ReferenceSurface>(mesh, reference, is_crease).template sample<ConcurrencyTag>();
+  return Normal_sampler<Reference>(mesh, reference, is_crease).template sample<ConcurrencyTag>();
 }
 
 } // namespace vertex_location

@@ -3,37 +3,36 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_CORRECT_FLIPS_H
-#define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_CORRECT_FLIPS_H
+#ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_FLIP_CRITERION_H
+#define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_FLIP_CRITERION_H
 
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/shorten_moves.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Remesh.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <vector>
+#include <cstddef>
 
 namespace CGAL {
 namespace Polygon_mesh_processing {
 namespace internal {
 namespace vertex_location {
 
-// A face is bad if it is flipped: the targets of its vertices turn its normal by more than 60 degrees from that in the
-// remesh; or if it collapses: its smallest angle falls below 10 degrees and below half of that in the remesh. A face that
-// has no area in the remesh is never bad.
-template <typename Hint>
+// A face violates it if it is flipped: the next points turn its normal by more than 60 degrees from that of the initial
+// ones; or if it collapses: its smallest angle falls below 10 degrees and below half of the initial one. A face without an
+// area at first never does. A model of the criteria of `shorten_moves()`.
 class Flip_criterion
 {
 public:
-  explicit Flip_criterion(const Optimization_state<Hint>& state) : m_state(state) {}
+  explicit Flip_criterion(const Remesh& remesh) : m_remesh(remesh) {}
 
-  bool is_bad(std::size_t f) const
+  bool is_violated_by(std::size_t f) const
   {
     constexpr double cosine_of_flip = 0.5;
     constexpr double sine_of_collapse = 0.17364817766693036; // of 10 degrees
 
-    const std::array<Point, 3> before = m_state.mesh.triangle(f, m_state.initial_points),
-                               after = m_state.mesh.triangle(f, m_state.targets);
+    const std::array<Point, 3> before = m_remesh.triangle(f, m_remesh.initial_points),
+                               after = m_remesh.triangle(f, m_remesh.next_points);
     const Vector m = area_normal(before[0], before[1], before[2]), n = area_normal(after[0], after[1], after[2]);
     const double area_before = norm(m), area_after = norm(n);
     if(!(area_before > 0))
@@ -59,20 +58,12 @@ private:
     return square(twice_area) / (std::max)({ a * b, b * c, c * a });
   }
 
-  const Optimization_state<Hint>& m_state;
+  const Remesh& m_remesh;
 };
-
-// Shortens moves of this iteration until no face is flipped or collapsed.
-template <typename ConcurrencyTag, typename Hint>
-void correct_flips(Optimization_state<Hint>& state, std::vector<bool>& is_shortened)
-{
-  Flip_criterion<Hint> criterion(state);
-  shorten_moves<ConcurrencyTag>(state, state.mesh.points, criterion, is_shortened);
-}
 
 } // namespace vertex_location
 } // namespace internal
 } // namespace Polygon_mesh_processing
 } // namespace CGAL
 
-#endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_CORRECT_FLIPS_H
+#endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_FLIP_CRITERION_H

@@ -61,16 +61,10 @@ struct Error_sum
   double rms() const { return std::sqrt(mean_of(squared_distance, area)); }
 };
 
-template <typename ReferenceSurface>
-double distance_to_foot(const Point& p, const ReferenceSurface& reference, const typename ReferenceSurface::Foot& foot)
-{
-  return norm(p - convert<Point>(reference.point(foot)));
-}
-
-template <typename ConcurrencyTag, typename ReferenceSurface>
+template <typename ConcurrencyTag, typename Reference>
 std::vector<Face_error> measure_faces(const Mesh_arrays& mesh,
-                                      const ReferenceSurface& reference,
-                                      const std::vector<typename ReferenceSurface::Foot>& vertex_feet,
+                                      const Reference& reference,
+                                      const std::vector<typename Reference::Foot>& vertex_feet,
                                       const std::size_t number_of_points)
 {
   std::vector<Face_error> faces(mesh.number_of_faces());
@@ -96,10 +90,10 @@ std::vector<Face_error> measure_faces(const Mesh_arrays& mesh,
 }
 
 // The mean distance over the faces around each vertex; the distance of the vertex itself if they have no area.
-template <typename ConcurrencyTag, typename ReferenceSurface>
+template <typename ConcurrencyTag, typename Reference>
 std::vector<double> mean_around_vertices(const Mesh_arrays& mesh,
-                                         const ReferenceSurface& reference,
-                                         const std::vector<typename ReferenceSurface::Foot>& vertex_feet,
+                                         const Reference& reference,
+                                         const std::vector<typename Reference::Foot>& vertex_feet,
                                          const std::vector<Face_error>& faces)
 {
   std::vector<Error_sum> sums(mesh.points.size());

@@ -6,12 +6,11 @@
 #ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_MEASURE_NORMALS_H
 #define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_MEASURE_NORMALS_H
 
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/corner_normals.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/read_parameters.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Measure/sample_faces.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/with_reference_surface.h>
-
-#include <CGAL/assertions.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/corner_normals.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/with_reference.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/read_mesh.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/read_parameters.h>
 
 #include <cmath>
 #include <vector>
@@ -37,10 +36,10 @@ struct Angle_integral
 
 // The mean angle in degrees between the normals that `corner_normals`, three a face, interpolate and those of the
 // reference. A sample where one of the two has no direction does not count.
-template <typename ConcurrencyTag, typename ReferenceSurface>
+template <typename ConcurrencyTag, typename Reference>
 double measure_corner_normals(const Mesh_arrays& mesh,
                               const std::vector<Vector>& corner_normals,
-                              const ReferenceSurface& reference,
+                              const Reference& reference,
                               const std::size_t number_of_points)
 {
   const auto vertex_feet = project_vertices<ConcurrencyTag>(mesh, reference);
@@ -57,7 +56,7 @@ double measure_corner_normals(const Mesh_arrays& mesh,
     {
       ++count;
       const Vector here = normalized(n + x.u * to_n1 + x.v * to_n2);
-      const Vector there = normalized(convert<Vector>(reference.normal(foot)));
+      const Vector there = normalized(reference.normal(foot));
       if(here == NULL_VECTOR || there == NULL_VECTOR)
         return;
       face.angle += std::atan2(norm(cross_product(here, there)), here * there);
@@ -98,24 +97,15 @@ double measure_normals(const TriangleMesh& tmesh,
   using parameters::choose_parameter;
   using parameters::get_parameter;
 
-  const auto vpm = read_vertex_point_map(tmesh, np1);
-  const bool is_valid = is_valid_input(tmesh, vpm);
-  CGAL_precondition(is_valid);
-  if(!is_valid)
-    return 180;
-
+  Mesh_arrays mesh;
   Mesh_descriptors<TriangleMesh> descriptors;
-  const Mesh_arrays mesh = make_mesh_arrays(tmesh, vpm, descriptors);
+  if(!read_mesh(tmesh, read_vertex_point_map(tmesh, np1), mesh, descriptors))
+    return 180;
   const std::vector<Vector> corner_normals = make_corner_normals(mesh, descriptors);
   const std::size_t number_of_points = choose_parameter(get_parameter(np1, internal_np::number_of_points_per_face),
                                                         default_number_of_points_per_face);
-
-  return with_reference_surface<ConcurrencyTag>(reference, np2, [&](const auto& surface) -> double
+  return with_reference<ConcurrencyTag>(mesh, reference, np2, 180., [&](const auto& surface)
   {
-    const bool has_reference = !is_empty_surface(surface) || mesh.points.empty();
-    CGAL_precondition(has_reference);
-    if(!has_reference)
-      return 180;
     return measure_corner_normals<ConcurrencyTag>(mesh, corner_normals, surface, number_of_points);
   });
 }

@@ -6,9 +6,10 @@
 #ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_SAMPLE_FACES_H
 #define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_SAMPLE_FACES_H
 
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/Flat_triangle.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/Reference_access.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/for_each_index.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/Mesh_arrays.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/triangle_coordinates.h>
 
 #include <algorithm>
 #include <array>
@@ -27,13 +28,13 @@ namespace vertex_location {
 constexpr std::size_t default_number_of_points_per_face = 64;
 
 // The points of the reference that the vertices of `mesh` are closest to.
-template <typename ConcurrencyTag, typename ReferenceSurface>
-std::vector<typename ReferenceSurface::Foot> project_vertices(const Mesh_arrays& mesh, const ReferenceSurface& reference)
+template <typename ConcurrencyTag, typename Reference>
+std::vector<typename Reference::Foot> project_vertices(const Mesh_arrays& mesh, const Reference& reference)
 {
-  std::vector<typename ReferenceSurface::Foot> feet(mesh.points.size());
+  std::vector<typename Reference::Foot> feet(mesh.points.size());
   for_each_index<ConcurrencyTag>(feet.size(), [&](std::size_t i)
   {
-    feet[i] = reference.project(convert<typename ReferenceSurface::Point_3>(mesh.points[i]));
+    feet[i] = reference.project(mesh.points[i]);
   });
   return feet;
 }
@@ -41,11 +42,11 @@ std::vector<typename ReferenceSurface::Foot> project_vertices(const Mesh_arrays&
 // Projects samples of a triangle, each of which stands for the same area: the centroids of the s * s triangles that its
 // sides, cut into s pieces, make, where s is the smallest number for which they are at least `number_of_points`. Calls
 // f(x, p, foot) for the sample p with the coordinates x. The search starts at the foot `hint`.
-template <typename ReferenceSurface, typename F>
+template <typename Reference, typename F>
 void project_samples(const std::array<Point, 3>& triangle,
-                     const ReferenceSurface& reference,
+                     const Reference& reference,
                      const std::size_t number_of_points,
-                     typename ReferenceSurface::Foot hint,
+                     typename Reference::Foot hint,
                      const F& f)
 {
   const double root = std::sqrt(static_cast<double>(number_of_points));
@@ -53,7 +54,7 @@ void project_samples(const std::array<Point, 3>& triangle,
   auto project_sample = [&](const Coordinates& x)
   {
     const Point p = point_at(triangle, x);
-    hint = reference.project(convert<typename ReferenceSurface::Point_3>(p), hint);
+    hint = reference.project(p, hint);
     f(x, p, hint);
   };
 

@@ -3,25 +3,26 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_FIT_PIECEWISE_LINEAR_H
-#define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_FIT_PIECEWISE_LINEAR_H
+#ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_PIECEWISE_LINEAR_PLACEMENT_H
+#define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_PIECEWISE_LINEAR_PLACEMENT_H
 
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Placement/Optimization_options.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Placement/piecewise_linear_update.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Placement/Placement.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Placement/springs.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/for_each_sum_over_faces.h>
 
 #include <array>
+#include <cstddef>
 
 namespace CGAL {
 namespace Polygon_mesh_processing {
 namespace internal {
 namespace vertex_location {
 
-// Equation (1) for the corner i of a face, relative to the signal there. The signal, vectors, is p(k) at corner k and m(k)
-// at the midpoint of the side that is opposite to it.
-template <typename CornerSignal, typename MidpointSignal>
-Vector piecewise_linear_update(const Index i, const CornerSignal& p, const MidpointSignal& m)
+inline Optimization_options piecewise_linear_defaults()
 {
-  const Index j = i == 2 ? 0 : i + 1, k = i == 0 ? 2 : i - 1;
-  return (11 * (m(j) + m(k) - p(i)) - 7 * m(i) - 2 * (p(j) + p(k))) / 15;
+  return { PIECEWISE_LINEAR, 1e-6, false };
 }
 
 // The sums of equation (2) over the faces of a vertex.
@@ -38,43 +39,88 @@ struct Piecewise_linear_sums
   }
 };
 
-// Section 3.2: the piecewise linear surface closest to the samples, as far as one vertex with its faces can tell,
-// weighted by the areas of the faces of M_t, equations (1) and (2). What is fitted is the way from M_t to the samples:
-// what is linear in each face, as M_t is, cancels out. If `along_normal`, only the part of the update along n_i is taken,
-// measured from p_i. A vertex that is not free, or whose faces have no area, stays.
-template <typename ConcurrencyTag, typename Hint>
-void fit_piecewise_linear(Optimization_state<Hint>& state, const bool along_normal)
+// The paper's method, sections 3.2 and 3.3: the piecewise linear surface closest to the samples, as far as one vertex with
+// its faces can tell, with springs between the vertices.
+template <typename ConcurrencyTag, typename Reference>
+class Piecewise_linear_placement : public Placement<Reference>
 {
-  const Mesh_arrays& mesh = state.mesh;
-  const auto sums_of_face = [&](std::size_t f)
-  {
-    const std::array<Index, 3> vertices = mesh.face(f), &edges = mesh.face_edges[f];
-    const auto p = [&](Index k) -> const Vector& { return state.vertex_samples.offset(vertices[k]); };
-    const auto m = [&](Index k) -> const Vector& { return state.midpoint_samples.offset(edges[k]); };
-    const double area = mesh.area(f);
-    std::array<Piecewise_linear_sums, 3> sums;
-    for(Index k = 0; k < 3; ++k)
-      sums[k] = { area * piecewise_linear_update(k, p, m), area };
-    return sums;
-  };
+  using Base = Placement<Reference>;
+  using Base::m_reference;
+  using Base::m_remesh;
+  using Base::m_samples;
 
-  for_each_sum_over_faces<ConcurrencyTag, Piecewise_linear_sums>(state, sums_of_face,
-                                                                 [&](std::size_t i, const Piecewise_linear_sums& sums)
-  {
-    state.targets[i] = mesh.points[i];
-    if(!state.is_free(i) || !(sums.area > 0))
-      return;
+public:
+  Piecewise_linear_placement(const Reference& reference, Remesh& remesh, const Optimization_options& options)
+    : Base(reference, remesh, Sample_set::MIDPOINT_LOCATIONS), m_spring(remesh),
+      m_number_of_relaxation_steps(options.number_of_relaxation_steps)
+  {}
 
-    Vector update = sums.update / sums.area; // (2)
-    if(along_normal)
-      update = (update * state.vertex_samples.normal(i)) * state.vertex_samples.normal(i);
-    state.targets[i] = mesh.points[i] + (state.vertex_samples.offset(i) + update);
-  });
-}
+  Initial_measure start() override { return m_samples.template start<ConcurrencyTag>(m_reference, m_remesh); }
+
+  void resample(const Iteration& iteration) override
+  {
+    if(iteration.is_last)
+      m_samples.template project<ConcurrencyTag>(m_reference, m_remesh);
+    else
+      m_samples.template update<ConcurrencyTag>(m_reference, m_remesh, tolerance(iteration));
+  }
+
+  // What is fitted, with the areas of the faces of M_t for weights, is the way from M_t to the samples: what is linear in
+  // each face, as M_t is, cancels out. After the free iterations only the part of the update along n_i is taken, measured
+  // from p_i. A vertex whose faces have no area stays.
+  void place(const Iteration& iteration) override
+  {
+    const auto sums_of_face = [&](std::size_t f)
+    {
+      const std::array<Index, 3>&vertices = m_remesh.face(f), &edges = m_remesh.face_edges[f];
+      const auto p = [&](Index k) -> const Vector& { return m_samples.vertices.offset(vertices[k]); };
+      const auto m = [&](Index k) -> const Vector& { return m_samples.midpoints.offset(edges[k]); };
+      const double area = m_remesh.area(f);
+      std::array<Piecewise_linear_sums, 3> sums;
+      for(Index k = 0; k < 3; ++k)
+        sums[k] = { area * piecewise_linear_update(k, p, m), area };
+      return sums;
+    };
+
+    for_each_sum_over_faces<ConcurrencyTag, Piecewise_linear_sums>(m_remesh, sums_of_face,
+                                                                   [&](std::size_t i, const Piecewise_linear_sums& sums)
+    {
+      m_remesh.next_points[i] = m_remesh.points[i];
+      if(!m_remesh.is_free(i) || !(sums.area > 0))
+        return;
+
+      Vector update = sums.update / sums.area; // (2)
+      const Vector& n = m_samples.vertices.normal(i);
+      if(!iteration.is_free)
+        update = (update * n) * n;
+      m_remesh.next_points[i] = m_remesh.points[i] + (m_samples.vertices.offset(i) + update);
+    });
+  }
+
+  void relax() override
+  {
+    relax_springs<ConcurrencyTag>(m_remesh, m_spring, m_number_of_relaxation_steps,
+                                  [&](std::size_t i) -> const Vector& { return m_samples.vertices.normal(i); });
+  }
+
+  double step_size() override { return m_remesh.largest_displacement(); }
+
+private:
+  // Along the normal a vertex moves over its foot: once all samples have been searched when that begins, they stay.
+  Sampling_tolerance tolerance(const Iteration& iteration) const
+  {
+    constexpr double max_travel = 0.04, max_distance = 0.05; // relative to the mean edge length: time for exactness
+    const double length = m_remesh.mean_edge_length;
+    return { iteration.is_first_along_normals ? 0 : max_travel * length, max_distance * length, iteration.is_free };
+  }
+
+  const Spring m_spring;
+  const std::size_t m_number_of_relaxation_steps;
+};
 
 } // namespace vertex_location
 } // namespace internal
 } // namespace Polygon_mesh_processing
 } // namespace CGAL
 
-#endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_FIT_PIECEWISE_LINEAR_H
+#endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_PIECEWISE_LINEAR_PLACEMENT_H

@@ -6,14 +6,13 @@
 #ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_FEATURE_CURVES_H
 #define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_FEATURE_CURVES_H
 
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/Mesh_arrays.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/Patch_tree.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/Mesh_arrays.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -22,8 +21,8 @@ namespace Polygon_mesh_processing {
 namespace internal {
 namespace vertex_location {
 
-// A cubic Bezier curve over an edge of the reference that is a crease or on the border. A patch, see `Flat_triangle`, of
-// which only the coordinate u counts.
+// A cubic Bezier curve over an edge of the reference that is a crease or on the border. A patch, see `Patch_tree`, of which
+// only the coordinate u counts.
 class Curve_piece
 {
 public:
@@ -49,8 +48,6 @@ public:
     const double t = x.u, s = 1 - t;
     return b[0] + (3 * s * s * t * (b[1] - b[0]) + 3 * s * t * t * (b[2] - b[0]) + t * t * t * (b[3] - b[0]));
   }
-
-  Vector normal(const Coordinates&) const { return NULL_VECTOR; }
 
   Vector derivative(double t) const
   {
@@ -221,23 +218,6 @@ private:
   Patch_tree<Curve_piece> m_pieces;
   std::vector<Index> m_curve; // of each piece: the first piece of its curve
   std::vector<Index> m_next, m_previous;
-};
-
-// The curves of a reference surface; none if its type knows none.
-template <typename Surface, typename = void>
-struct Feature_curves_of
-{
-  static const Feature_curves& get(const Surface&)
-  {
-    static const Feature_curves none;
-    return none;
-  }
-};
-
-template <typename Surface>
-struct Feature_curves_of<Surface, std::void_t<decltype(std::declval<const Surface&>().feature_curves())>>
-{
-  static const Feature_curves& get(const Surface& surface) { return surface.feature_curves(); }
 };
 
 } // namespace vertex_location

@@ -6,10 +6,13 @@
 #ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_PN_TRIANGLE_H
 #define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_PN_TRIANGLE_H
 
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/Flat_triangle.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/Foot_estimate.h>
+
+#include <CGAL/Bbox_3.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace CGAL {
 namespace Polygon_mesh_processing {
@@ -17,7 +20,7 @@ namespace internal {
 namespace vertex_location {
 
 // A curved PN triangle (Vlachos et al., Curved PN triangles, 2001): a cubic Bezier triangle for the points, a quadratic
-// one for the normals. A patch of a reference surface, see `Flat_triangle`.
+// one for the normals. A `Surface_patch`, see `Patch_tree` and `Reference_patches`.
 class PN_triangle
 {
 public:

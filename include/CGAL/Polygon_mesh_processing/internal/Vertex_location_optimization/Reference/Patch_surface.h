@@ -14,7 +14,6 @@
 #include <CGAL/Kernel_traits.h>
 
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Polygon_mesh_processing {
@@ -41,9 +40,8 @@ public:
   using Point_3 = typename Geom_traits::Point_3;
   using Vector_3 = typename Geom_traits::Vector_3;
   using Foot = Patch_foot;
-  using Hint = Patch_hint; // what a hint needs of a foot; not part of the concept
 
-  bool is_empty() const { return m_patches.tree.empty(); }
+  bool is_empty() const { return m_patches.is_empty(); }
 
   Foot project(const Point_3& query) const { return project(query, Foot()); }
 
@@ -53,27 +51,11 @@ public:
     return m_patches.project(convert<Point>(query), hint);
   }
 
-  Point_3 point(const Foot& foot) const { return convert<Point_3>(m_patches.tree.point(foot)); }
-  Vector_3 normal(const Foot& foot) const { return convert<Vector_3>(m_patches.tree.normal(foot)); }
+  Point_3 point(const Foot& foot) const { return convert<Point_3>(m_patches.point(foot)); }
+  Vector_3 normal(const Foot& foot) const { return convert<Vector_3>(m_patches.normal(foot)); }
 
-  // the closest point near `hint`, see `Reference_patches::walk()`; not part of the concept
-  Foot project_near(const Point_3& query, const Foot& hint) const { return m_patches.walk(convert<Point>(query), hint); }
-
-  // asks for what `project_near()` reads, to be called some time before it; not part of the concept
-  void prefetch(const Foot& hint) const { m_patches.prefetch(hint); }
-
-  // The feet that are the same point: where it is on an edge or a vertex they have the normals of the faces around it.
-  // Not part of the concept.
-  Coinciding_feet coinciding_feet(const Foot& foot) const { return m_patches.coinciding_feet(foot); }
-
-  double area() const { return m_patches.area(); } // not part of the concept
-
-  // calls f(foot) for samples of the surface, see `Reference_patches::for_each_area_sample()`; not part of the concept
-  template <typename F>
-  void for_each_area_sample(double area, const F& f) const { m_patches.for_each_area_sample(area, f); }
-
-  // the creases and borders; not part of the concept
-  const Feature_curves& feature_curves() const { return m_patches.curves; }
+  // for the phases, which work in double precision; not part of the concept
+  const Reference_patches<Patch>& patches() const { return m_patches; }
 
 protected:
   explicit Patch_surface(Reference_patches<Patch> patches) : m_patches(std::move(patches)) {}

@@ -6,8 +6,8 @@
 #ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_PATCH_TREE_H
 #define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_PATCH_TREE_H
 
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/Foot_estimate.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/compatibility.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/Flat_triangle.h>
 
 #include <boost/container/small_vector.hpp>
 #include <boost/range/irange.hpp>
@@ -52,7 +52,13 @@ double squared_distance_to_box(const Point& p, const Box& box)
          square(to_slab(p.z(), box.zmin(), box.zmax()));
 }
 
-// Patches (see `Flat_triangle`) in an AABB tree, for closest points.
+// Patches in an AABB tree, for closest points. A patch is a parameterized part of a surface or curve with
+//   - bbox(), a box that contains it;
+//   - point(x), its point with the coordinates x;
+//   - estimate_foot(q), which is cheap;
+//   - improve_foot(q, x, d2): if the patch has a point that is closer to q than sqrt(d2), sets x, which must be those of
+//     the estimate, to its coordinates and d2 to its squared distance, and returns true;
+//   - improve_foot_from(q, x, d2), the same with any x near the foot.
 template <typename Patch>
 class Patch_tree
 {
@@ -99,7 +105,6 @@ public:
   bool empty() const { return m_patches.empty(); }
   const Patch& patch(Index i) const { return m_patches[i]; }
   Point point(const Patch_foot& foot) const { return m_patches[foot.patch].point(foot.coordinates); }
-  Vector normal(const Patch_foot& foot) const { return m_patches[foot.patch].normal(foot.coordinates); }
 
   // The closest point of the surface, which must not be empty. A patch nearby as hint makes the search faster.
   Patch_foot project(const Point& query, const Index hint = no_index) const

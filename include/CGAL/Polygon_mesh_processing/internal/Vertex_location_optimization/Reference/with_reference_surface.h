@@ -10,7 +10,6 @@
 #include <CGAL/Polygon_mesh_processing/PN_triangle_surface.h>
 
 #include <type_traits>
-#include <utility>
 
 namespace CGAL {
 namespace Polygon_mesh_processing {
@@ -23,22 +22,6 @@ struct Is_reference_surface : std::false_type {};
 
 template <typename Reference>
 struct Is_reference_surface<Reference, std::void_t<typename Reference::Foot>> : std::true_type {};
-
-// `is_empty()` is not part of the concept: a model that has none is never empty.
-template <typename Surface, typename = void>
-struct Has_is_empty : std::false_type {};
-
-template <typename Surface>
-struct Has_is_empty<Surface, std::void_t<decltype(std::declval<const Surface&>().is_empty())>> : std::true_type {};
-
-template <typename Surface>
-bool is_empty_surface(const Surface& surface)
-{
-  if constexpr(Has_is_empty<Surface>::value)
-    return surface.is_empty();
-  else
-    return false;
-}
 
 // Returns f(surface), where `surface` is `reference` itself if it is a model of `ReferenceSurface`, else the PN triangle
 // surface of the mesh `reference`.

@@ -7,6 +7,7 @@
 #define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_FOR_EACH_SUM_OVER_FACES_H
 
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Remesh.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/for_each_index.h>
 
 #include <algorithm>
 #include <array>
@@ -21,17 +22,16 @@ namespace vertex_location {
 // Calls f(i, sum) for each vertex i of the mesh with the sum over its faces: terms(f)[k] is what face f adds to that of its
 // vertex k. Sums start with Sum(). Blocks of vertices that follow each other are also close to each other: only the faces
 // at the border of a block are visited for several of them. See `for_each_index()`.
-template <typename ConcurrencyTag, typename Sum, typename Hint, typename Terms, typename F>
-void for_each_sum_over_faces(const Optimization_state<Hint>& state, const Terms& terms, const F& f)
+template <typename ConcurrencyTag, typename Sum, typename Terms, typename F>
+void for_each_sum_over_faces(const Remesh& mesh, const Terms& terms, const F& f)
 {
   constexpr std::size_t block_size = 512; // of vertices
 
-  const Mesh_arrays& mesh = state.mesh;
   for_each_block<ConcurrencyTag>(mesh.points.size(), block_size, [&](std::size_t begin, std::size_t end)
   {
     std::vector<std::size_t> faces; // those that begin before the block
     for(std::size_t i = begin; i < end; ++i)
-      state.for_each_corner(i, [&](Index c)
+      mesh.for_each_corner(i, [&](Index c)
       {
         if(mesh.first_vertex(c / 3) < begin)
           faces.push_back(c / 3);
@@ -42,7 +42,7 @@ void for_each_sum_over_faces(const Optimization_state<Hint>& state, const Terms&
     std::vector<Sum> sums(end - begin);
     const auto add_terms = [&](std::size_t face)
     {
-      const std::array<Index, 3> vertices = mesh.face(face);
+      const std::array<Index, 3>& vertices = mesh.face(face);
       const std::array<Sum, 3> of_face = terms(face);
       for(int k = 0; k < 3; ++k)
         if(vertices[k] >= begin && vertices[k] < end)

@@ -3,11 +3,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_MEMORY_H
-#define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_MEMORY_H
+#ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_PREFETCH_H
+#define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_PREFETCH_H
 
 #include <cstddef>
-#include <vector>
 
 namespace CGAL {
 namespace Polygon_mesh_processing {
@@ -28,16 +27,9 @@ void prefetch(const T& object)
 #endif
 }
 
-// empties a vector and gives its memory back
-template <typename T>
-void release(std::vector<T>& v)
-{
-  std::vector<T>().swap(v);
-}
-
 } // namespace vertex_location
 } // namespace internal
 } // namespace Polygon_mesh_processing
 } // namespace CGAL
 
-#endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_MEMORY_H
+#endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_PREFETCH_H

@@ -61,7 +61,7 @@ public:
 
     // also if the visitor has ended the iterations: what they have reached is no result before it is checked
     m_visitor.start_phase(Phase::ENFORCE_GUARANTEE);
-    Remesh_samples<Reference> samples = std::move(placement->samples());
+    auto samples = std::move(placement->samples()).take_offsets();
     placement.reset();
     Guarantee<ConcurrencyTag, Reference, AllowMove, FindSelfIntersections> guarantee(
       m_reference, m_initial_quality, std::move(samples), m_allow_move, m_find_self_intersections, m_remesh, m_is_corrected);

@@ -40,7 +40,7 @@ public:
   Degradation_criterion(const Reference& reference,
                         const Remesh& remesh,
                         const Initial_quality& initial,
-                        Remesh_samples<Reference> samples)
+                        Remesh_sample_offsets<typename Reference::Hint> samples)
     : m_remesh(remesh), m_initial(initial), m_flips(remesh), m_distances(reference, remesh, std::move(samples))
   {}
 

@@ -67,7 +67,7 @@ public:
   // `samples` are those of the points of the remesh
   Guarantee(const Reference& reference,
             const Initial_quality& initial,
-            Remesh_samples<Reference> samples,
+            Remesh_sample_offsets<typename Reference::Hint> samples,
             const AllowMove& allow_move,
             const FindSelfIntersections& find_self_intersections,
             Remesh& remesh,

@@ -36,9 +36,9 @@ class Result_distances
 
 public:
   // `samples` are those of the points of the remesh, with which it goes on
-  Result_distances(const Reference& reference, const Remesh& remesh, Remesh_samples<Reference> samples)
-    : m_reference(reference), m_remesh(remesh), m_vertices(std::move(samples.vertices).take_offsets()),
-      m_midpoints(std::move(samples.midpoints).take_offsets()), m_points(remesh.points), m_distances(remesh),
+  Result_distances(const Reference& reference, const Remesh& remesh, Remesh_sample_offsets<Hint> samples)
+    : m_reference(reference), m_remesh(remesh), m_vertices(std::move(samples.vertices)),
+      m_midpoints(std::move(samples.midpoints)), m_points(remesh.points), m_distances(remesh),
       m_orientations(remesh.number_of_faces())
   {}
 

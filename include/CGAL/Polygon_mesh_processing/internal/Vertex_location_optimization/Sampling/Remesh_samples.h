@@ -17,6 +17,7 @@
 
 #include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -38,13 +39,21 @@ enum class Sample_set
   MIDPOINTS_AND_BARYCENTERS // and with the barycenters of the faces
 };
 
+// The samples at the vertices and midpoints for good.
+template <typename Hint>
+struct Remesh_sample_offsets
+{
+  Sample_offsets<Hint> vertices, midpoints;
+};
+
 // Section 3.1: the points of the reference closest to the vertices of the remesh, to the midpoints of its edges and, if the
 // placement takes them, to the barycenters of its faces; always for `remesh.points`.
 template <typename Reference>
 class Remesh_samples
 {
 public:
-  using Samples = Closest_points<typename Reference::Hint>;
+  using Hint = typename Reference::Hint;
+  using Samples = Closest_points<Hint>;
 
   Remesh_samples(const Remesh& remesh, const Sample_set set)
     : vertices(remesh.points.size(), remesh.mean_edge_length, true),
@@ -111,6 +120,11 @@ public:
         if(!barycenters.empty())
           project_sample(barycenters, f, remesh.barycenter(f));
       });
+  }
+
+  Remesh_sample_offsets<Hint> take_offsets() &&
+  {
+    return { std::move(vertices).take_offsets(), std::move(midpoints).take_offsets() };
   }
 
   Samples vertices;    // p_i and n_i

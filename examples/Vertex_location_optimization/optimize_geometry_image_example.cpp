@@ -84,17 +84,17 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
   Mesh full_mesh;
-  CGAL::triangulate(full, full_mesh);
+  CGAL::geometry_image_to_polygon_mesh(full, full_mesh);
   const PMP::Flat_triangle_surface<Mesh> reference(full_mesh);
 
   const Image image = full.downsampled(step);
   Mesh mesh;
-  CGAL::triangulate(image, mesh);
+  CGAL::geometry_image_to_polygon_mesh(image, mesh);
 
   Image optimized = image;
   PMP::optimize_geometry_image<CGAL::Parallel_if_available_tag>(optimized, reference);
   Mesh optimized_mesh;
-  CGAL::triangulate(optimized, optimized_mesh, image); // the same triangles
+  CGAL::geometry_image_to_polygon_mesh(optimized, optimized_mesh, image); // the same triangles
 
   try
   {

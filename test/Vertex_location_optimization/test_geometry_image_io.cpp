@@ -183,7 +183,7 @@ void test_bytes(const Directory& directory)
       for(std::size_t j = 0; j < 17; ++j)
         CHECK_AT_MOST(norm(once(i, j) - sphere(i, j)), 1e-7);
     Mesh mesh;
-    CGAL::triangulate(once, mesh);
+    CGAL::geometry_image_to_polygon_mesh(once, mesh);
     CHECK(CGAL::is_closed(mesh));
   }
 }

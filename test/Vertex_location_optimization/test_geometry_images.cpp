@@ -39,14 +39,14 @@ namespace params = CGAL::parameters;
 Mesh triangulated(const Image& image)
 {
   Mesh mesh;
-  CGAL::triangulate(image, mesh);
+  CGAL::geometry_image_to_polygon_mesh(image, mesh);
   return mesh;
 }
 
 Mesh triangulated(const Image& image, const Image& diagonals)
 {
   Mesh mesh;
-  CGAL::triangulate(image, mesh, diagonals);
+  CGAL::geometry_image_to_polygon_mesh(image, mesh, diagonals);
   return mesh;
 }
 
@@ -145,14 +145,14 @@ void test_triangulation()
   start_topic("Meshes of other types, and those that are not empty");
   using Exact_kernel = CGAL::Exact_predicates_exact_constructions_kernel;
   CGAL::Polyhedron_3<Exact_kernel> polyhedron;
-  CGAL::triangulate(octahedral_sphere(9), polyhedron);
+  CGAL::geometry_image_to_polygon_mesh(octahedral_sphere(9), polyhedron);
   CHECK_EQUAL(polyhedron.size_of_vertices(), 66u);
   CHECK(polyhedron.is_closed());
-  CGAL::triangulate(octahedral_sphere(9), polyhedron);
+  CGAL::geometry_image_to_polygon_mesh(octahedral_sphere(9), polyhedron);
   CHECK_EQUAL(polyhedron.size_of_vertices(), 132u);
   Mesh other;
   auto map = other.add_property_map<Mesh::Vertex_index, Point>("other").first;
-  CGAL::triangulate(open_patch(3, 3), other, params::vertex_point_map(map));
+  CGAL::geometry_image_to_polygon_mesh(open_patch(3, 3), other, params::vertex_point_map(map));
   CHECK_EQUAL(map[Mesh::Vertex_index(4)], open_patch(3, 3)(1, 1));
 }
 
@@ -425,7 +425,7 @@ void test_bad_images()
       check_refused([&] { CHECK_EQUAL(PMP::optimize_geometry_image(image, sphere).iterations, 0u); });
       CHECK(are_identical(image, input));
       Mesh mesh;
-      check_refused([&] { CGAL::triangulate(image, mesh); });
+      check_refused([&] { CGAL::geometry_image_to_polygon_mesh(image, mesh); });
       CHECK_EQUAL(mesh.number_of_vertices(), 0u);
     }
 
@@ -438,7 +438,7 @@ void test_bad_images()
   check_refused([&] { image.downsampled(0); });
   CHECK(are_identical(image, octahedral_sphere(9)));
   Mesh mesh;
-  check_refused([&] { CGAL::triangulate(image, mesh, Image(9, 8)); });
+  check_refused([&] { CGAL::geometry_image_to_polygon_mesh(image, mesh, Image(9, 8)); });
   CHECK_EQUAL(mesh.number_of_vertices(), 0u);
 
   start_topic("Images whose samples coincide at random");

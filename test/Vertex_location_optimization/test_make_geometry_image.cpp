@@ -26,7 +26,7 @@
 Mesh triangulated(const Image& image)
 {
   Mesh mesh;
-  CGAL::triangulate(image, mesh);
+  CGAL::geometry_image_to_polygon_mesh(image, mesh);
   return mesh;
 }
 

@@ -82,13 +82,6 @@ public:
    *     \cgalParamType{a number type convertible to `double`, in degrees}
    *     \cgalParamDefault{`45`}
    *   \cgalParamNEnd
-   *
-   *   \cgalParamNBegin{geom_traits}
-   *     \cgalParamDescription{an instance of a geometric traits class}
-   *     \cgalParamType{a class model of `Kernel`}
-   *     \cgalParamDefault{a \cgal kernel deduced from the point type, using `CGAL::Kernel_traits`}
-   *     \cgalParamExtra{It must be compatible with the point type. The surface itself uses `GeomTraits`.}
-   *   \cgalParamNEnd
    * \cgalNamedParamsEnd
    *
    * \pre `CGAL::is_triangle_mesh(tmesh)`, and all coordinates are finite. Otherwise the surface is empty.
@@ -97,7 +90,7 @@ public:
   explicit PN_triangle_surface(const TriangleMesh& tmesh,
                                const NamedParameters& np = parameters::default_values(),
                                const ConcurrencyTag& = ConcurrencyTag())
-    : Base(internal::vertex_location::make_reference_patches<internal::vertex_location::PN_triangle, ConcurrencyTag>(tmesh, np))
+    : Base(Base::template make_patches<ConcurrencyTag>(tmesh, np))
   {}
 
 #ifdef DOXYGEN_RUNNING

@@ -9,7 +9,7 @@
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Attributes/normal_maps.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Measure/measure_error.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Measure/measure_normals.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/with_reference.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/with_reference_surface.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/named_parameters.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/read_mesh.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/read_parameters.h>
@@ -63,7 +63,7 @@ struct Approximation_error
  *
  * In this direction it is the faces of `input`, not its PN triangles, that are sampled.
  *
- * The result does not depend on the number of threads.
+ * The computations are done in double precision. The result does not depend on the number of threads.
  *
  * \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
  *                        `Parallel_tag`, and `Parallel_if_available_tag`.
@@ -84,14 +84,6 @@ struct Approximation_error
  *     \cgalParamType{a class model of `ReadablePropertyMap` with
  *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
  *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
- *   \cgalParamNEnd
- *
- *   \cgalParamNBegin{geom_traits}
- *     \cgalParamDescription{an instance of a geometric traits class}
- *     \cgalParamType{a class model of `Kernel`}
- *     \cgalParamDefault{a \cgal kernel deduced from the point type, using `CGAL::Kernel_traits`}
- *     \cgalParamExtra{The geometric traits class must be compatible with the vertex point type. The computations are
- *                     done in double precision with any kernel.}
  *   \cgalParamNEnd
  *
  *   \cgalParamNBegin{number_of_points_per_face}
@@ -196,7 +188,7 @@ Approximation_error approximation_error(const TriangleMesh& tmesh,
  * with the normal of the reference at the closest point. The mean is taken over the area of `tmesh`, as
  * `approximation_error()` does.
  *
- * The result does not depend on the number of threads.
+ * The computations are done in double precision. The result does not depend on the number of threads.
  *
  * \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
  *                        `Parallel_tag`, and `Parallel_if_available_tag`.
@@ -214,32 +206,8 @@ Approximation_error approximation_error(const TriangleMesh& tmesh,
  *                  `PN_triangle_surface`, or a reference surface
  * \param normal_map the normals of the vertices of `tmesh`, or those of the corners of its faces: the normal of a
  *                   halfedge is that of its face at its target. They need not have length 1.
- * \param np1 an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
- *
- * \cgalNamedParamsBegin
- *   \cgalParamNBegin{vertex_point_map}
- *     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
- *     \cgalParamType{a class model of `ReadablePropertyMap` with
- *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
- *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
- *   \cgalParamNEnd
- *
- *   \cgalParamNBegin{geom_traits}
- *     \cgalParamDescription{an instance of a geometric traits class}
- *     \cgalParamType{a class model of `Kernel`}
- *     \cgalParamDefault{a \cgal kernel deduced from the point type, using `CGAL::Kernel_traits`}
- *     \cgalParamExtra{The geometric traits class must be compatible with the vertex point type. The computations are
- *                     done in double precision with any kernel.}
- *   \cgalParamNEnd
- *
- *   \cgalParamNBegin{number_of_points_per_face}
- *     \cgalParamDescription{the number of samples in each face. It is rounded up to a square number: the samples are the
- *                           centroids of congruent triangles that the face is divided into.}
- *     \cgalParamType{unsigned integer}
- *     \cgalParamDefault{`64`}
- *   \cgalParamNEnd
- * \cgalNamedParamsEnd
- *
+ * \param np1 an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map` and
+ *            `number_of_points_per_face`, as those of `approximation_error()`
  * \param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters": those of the constructor of
  *            `PN_triangle_surface` if `reference` is a triangle mesh; not used if it is a reference surface
  *

@@ -6,14 +6,13 @@
 #ifndef CGAL_POLYGON_MESH_PROCESSING_OPTIMIZE_VERTEX_LOCATIONS_H
 #define CGAL_POLYGON_MESH_PROCESSING_OPTIMIZE_VERTEX_LOCATIONS_H
 
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Self_intersection_test.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/New_intersections.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Placement/make_placement.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/with_reference.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/with_reference_surface.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Remesh.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/named_parameters.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/read_constraints.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/read_mesh.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/read_options.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/read_optimization_parameters.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/read_parameters.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Vertex_location_optimizer.h>
 #include <CGAL/Polygon_mesh_processing/Placement_method.h>
@@ -42,14 +41,15 @@ namespace Polygon_mesh_processing {
  * and shortens moves that flip a face. It is Algorithm 1 of \cgalCite{vlo2012}; its equations (1) to (4) are those
  * of the fit and of the springs.
  *
- * The result is never worse than the input: neither the mean nor the maximum distance of `tmesh` to the reference is
+ * As sampled, the result is never worse than the input: neither the mean nor the maximum distance of `tmesh` to the reference is
  * larger than before; no face is flipped, that is, has turned by more than 60 degrees or opposes the reference where it
  * did not before; and no face has collapsed, to a smallest angle below 10 degrees and below half of what it was. To that
  * end the distance is sampled at the vertices, the midpoints of the edges and the barycenters of the faces, and at 45
  * points of the faces that come near the maximum; moves are shortened where they do harm. The distance in the other
  * direction, from the reference to `tmesh`, is not guaranteed.
  *
- * The result does not depend on the number of threads.
+ * The computations are done in double precision, whatever the kernel of the points; with an exact one the points of the
+ * vertices that move are converted. The result does not depend on the number of threads.
  *
  * An iteration takes \cgalBigO{n \log m} time for \f$ n \f$ vertices and a reference of \f$ m \f$ faces.
  *
@@ -74,15 +74,6 @@ namespace Polygon_mesh_processing {
  *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
  *     \cgalParamExtra{If this parameter is omitted, an internal property map for `CGAL::vertex_point_t` must be
  *                     available in `TriangleMesh`.}
- *   \cgalParamNEnd
- *
- *   \cgalParamNBegin{geom_traits}
- *     \cgalParamDescription{an instance of a geometric traits class}
- *     \cgalParamType{a class model of `Kernel`}
- *     \cgalParamDefault{a \cgal kernel deduced from the point type, using `CGAL::Kernel_traits`}
- *     \cgalParamExtra{The geometric traits class must be compatible with the vertex point type. The computations are
- *                     done in double precision with any kernel; with an exact one the points of the vertices that move
- *                     are converted.}
  *   \cgalParamNEnd
  *
  *   \cgalParamNBegin{number_of_iterations}

@@ -25,9 +25,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace internal {
-namespace geometry_image {
+namespace CGAL::internal::geometry_image {
 
 // why a triangle mesh is no disk that can be parameterized, and what helps; empty if it is one
 inline std::string why_no_disk(const Double_mesh& mesh, std::size_t number_of_borders)
@@ -111,8 +109,6 @@ std::string make_image_of_mesh(const TriangleMesh& tmesh, const VertexPointMap& 
   return "";
 }
 
-} // namespace geometry_image
-} // namespace internal
-} // namespace CGAL
+} // namespace CGAL::internal::geometry_image
 
 #endif // CGAL_GEOMETRY_IMAGE_INTERNAL_MAKE_IMAGE_OF_MESH_H

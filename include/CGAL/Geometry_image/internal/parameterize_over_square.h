@@ -18,9 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace internal {
-namespace geometry_image {
+namespace CGAL::internal::geometry_image {
 
 using Square_parameterizer = Surface_mesh_parameterization::Mean_value_coordinates_parameterizer_3<
   Double_mesh, Surface_mesh_parameterization::Square_border_arc_length_parameterizer_3<Double_mesh>>;
@@ -127,8 +125,6 @@ parameterize_over_square(Double_mesh& mesh, Double_mesh::Halfedge_index border, 
   return SMP::OK;
 }
 
-} // namespace geometry_image
-} // namespace internal
-} // namespace CGAL
+} // namespace CGAL::internal::geometry_image
 
 #endif // CGAL_GEOMETRY_IMAGE_INTERNAL_PARAMETERIZE_OVER_SQUARE_H

@@ -22,9 +22,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace internal {
-namespace geometry_image {
+namespace CGAL::internal::geometry_image {
 
 // The files that geometry images are stored in. Whatever is wrong with one is told by a std::runtime_error.
 enum class Raster_format { GIM, PFM };
@@ -146,8 +144,6 @@ inline void write_raster(std::ostream& os, Raster_format format, Raster raster)
     throw std::runtime_error("it cannot be written");
 }
 
-} // namespace geometry_image
-} // namespace internal
-} // namespace CGAL
+} // namespace CGAL::internal::geometry_image
 
 #endif // CGAL_GEOMETRY_IMAGE_INTERNAL_RASTER_FILES_H

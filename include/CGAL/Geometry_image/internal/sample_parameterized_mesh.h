@@ -18,9 +18,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace internal {
-namespace geometry_image {
+namespace CGAL::internal::geometry_image {
 
 using Double_kernel = Polygon_mesh_processing::internal::vertex_location::Kernel;
 using Double_mesh = Surface_mesh<Double_kernel::Point_3>;
@@ -85,8 +83,6 @@ bool sample_parameterized_mesh(const Double_mesh& mesh, const UVMap& uvmap, Geom
   return std::count(smallest_coordinate.begin(), smallest_coordinate.end(), none) == 0;
 }
 
-} // namespace geometry_image
-} // namespace internal
-} // namespace CGAL
+} // namespace CGAL::internal::geometry_image
 
 #endif // CGAL_GEOMETRY_IMAGE_INTERNAL_SAMPLE_PARAMETERIZED_MESH_H

@@ -26,9 +26,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace internal {
-namespace geometry_image {
+namespace CGAL::internal::geometry_image {
 
 // Sample s is that in row s / width and column s % width. A triangle is one of samples or of vertices.
 using Triangle = std::array<std::size_t, 3>;
@@ -184,8 +182,6 @@ void add_to_mesh(const Triangulated_samples& samples,
     parameters::point_map(boost::make_function_property_map<std::size_t, Mesh_point>(point_of_sample)), np);
 }
 
-} // namespace geometry_image
-} // namespace internal
-} // namespace CGAL
+} // namespace CGAL::internal::geometry_image
 
 #endif // CGAL_GEOMETRY_IMAGE_INTERNAL_TRIANGULATE_SAMPLES_H

@@ -10,7 +10,6 @@
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Flip_criterion.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Guarantee.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/shorten_moves.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Placement/Optimization_options.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Placement/Feature_placement.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Placement/Placement.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Remesh.h>
@@ -21,10 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Polygon_mesh_processing {
-namespace internal {
-namespace vertex_location {
+namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
 // Algorithm 1: moves the vertices of the remesh to where its faces approximate the reference best, and makes sure that it is
 // no worse than before. `AllowMove` is a functor (i, source, target) -> bool, `FindSelfIntersections` is a
@@ -203,9 +199,6 @@ Vertex_location_optimization_report optimize(const Reference& reference,
   return Optimizer(reference, options, allow_move, find_self_intersections, visitor, remesh).run(std::move(placement));
 }
 
-} // namespace vertex_location
-} // namespace internal
-} // namespace Polygon_mesh_processing
-} // namespace CGAL
+} // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
 
 #endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_VERTEX_LOCATION_OPTIMIZER_H

@@ -11,10 +11,7 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Polygon_mesh_processing {
-namespace internal {
-namespace vertex_location {
+namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
 // The direction of `n` unless it turns away from the sample `otherwise`, which it replaces; never without a length.
 inline Vector unit_normal_or(const Vector& n, const Vector& otherwise)
@@ -76,9 +73,6 @@ inline std::vector<Vector> choose_vertex_normals(const Mesh_arrays& mesh,
   return normals;
 }
 
-} // namespace vertex_location
-} // namespace internal
-} // namespace Polygon_mesh_processing
-} // namespace CGAL
+} // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
 
 #endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_FIT_NORMALS_H

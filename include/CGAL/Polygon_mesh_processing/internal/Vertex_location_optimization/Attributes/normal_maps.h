@@ -11,10 +11,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Polygon_mesh_processing {
-namespace internal {
-namespace vertex_location {
+namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
 // Whether the normals of a map are those of the corners of the faces, not those of the vertices.
 template <typename TriangleMesh, typename NormalMap>
@@ -75,9 +72,6 @@ void write_corner_normals(const TriangleMesh& tmesh,
   });
 }
 
-} // namespace vertex_location
-} // namespace internal
-} // namespace Polygon_mesh_processing
-} // namespace CGAL
+} // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
 
 #endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_NORMAL_MAPS_H

@@ -12,10 +12,7 @@
 #include <array>
 #include <vector>
 
-namespace CGAL {
-namespace Polygon_mesh_processing {
-namespace internal {
-namespace vertex_location {
+namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
 // The normals of a reference, as the faces of a mesh see them.
 struct Normal_samples
@@ -151,9 +148,6 @@ Normal_samples sample_normals(const Mesh_arrays& mesh,
   return Normal_sampler<Reference>(mesh, reference, is_crease).template sample<ConcurrencyTag>();
 }
 
-} // namespace vertex_location
-} // namespace internal
-} // namespace Polygon_mesh_processing
-} // namespace CGAL
+} // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
 
 #endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_SAMPLE_NORMALS_H

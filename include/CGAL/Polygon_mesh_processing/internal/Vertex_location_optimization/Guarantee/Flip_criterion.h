@@ -13,10 +13,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace CGAL {
-namespace Polygon_mesh_processing {
-namespace internal {
-namespace vertex_location {
+namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
 // A face violates it if it is flipped: the next points turn its normal by more than 60 degrees from that of the initial
 // ones; or if it collapses: its smallest angle falls below 10 degrees and below half of the initial one. A face without an
@@ -61,9 +58,6 @@ private:
   const Remesh& m_remesh;
 };
 
-} // namespace vertex_location
-} // namespace internal
-} // namespace Polygon_mesh_processing
-} // namespace CGAL
+} // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
 
 #endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_FLIP_CRITERION_H

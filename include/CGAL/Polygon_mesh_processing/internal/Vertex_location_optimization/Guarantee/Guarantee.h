@@ -20,10 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Polygon_mesh_processing {
-namespace internal {
-namespace vertex_location {
+namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
 // Measures what the guarantee compares with, in the first iteration, when M_0 has been sampled.
 template <typename ConcurrencyTag, typename Reference>
@@ -140,9 +137,6 @@ private:
   std::vector<unsigned char> m_number_of_halvings; // of the moves of vertices of faces that intersect
 };
 
-} // namespace vertex_location
-} // namespace internal
-} // namespace Polygon_mesh_processing
-} // namespace CGAL
+} // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
 
 #endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_GUARANTEE_H

@@ -19,10 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Polygon_mesh_processing {
-namespace internal {
-namespace vertex_location {
+namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
 // The distance to the reference of the remesh with its vertices at the next points, sampled; in the end that is the result
 // of the run.
@@ -204,9 +201,6 @@ private:
   std::vector<Face_orientation> m_orientations; // at the barycenters
 };
 
-} // namespace vertex_location
-} // namespace internal
-} // namespace Polygon_mesh_processing
-} // namespace CGAL
+} // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
 
 #endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_RESULT_DISTANCES_H

@@ -14,10 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Polygon_mesh_processing {
-namespace internal {
-namespace vertex_location {
+namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
 // Halves the move of a vertex from `origin`, to which it returns when it has been halved too often.
 inline void halve_move(const Point& origin, Point& next, unsigned char& number_of_halvings)
@@ -103,9 +100,6 @@ void shorten_moves(Remesh& remesh,
   }
 }
 
-} // namespace vertex_location
-} // namespace internal
-} // namespace Polygon_mesh_processing
-} // namespace CGAL
+} // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
 
 #endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_SHORTEN_MOVES_H

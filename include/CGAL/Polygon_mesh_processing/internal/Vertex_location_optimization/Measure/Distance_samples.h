@@ -13,10 +13,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Polygon_mesh_processing {
-namespace internal {
-namespace vertex_location {
+namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
 // The quadrature that the distances over a face are integrated with, from its vertices, the midpoints of its edges, and its
 // barycenter; exact for cubics. What a sample, or the sum of those of its kind, adds to the mean:
@@ -74,9 +71,6 @@ double mean_distance(const Mesh_arrays& mesh, const std::vector<Point>& points, 
   return area > 0 ? integral / area : 0;
 }
 
-} // namespace vertex_location
-} // namespace internal
-} // namespace Polygon_mesh_processing
-} // namespace CGAL
+} // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
 
 #endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_DISTANCE_SAMPLES_H

@@ -11,10 +11,7 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace CGAL {
-namespace Polygon_mesh_processing {
-namespace internal {
-namespace vertex_location {
+namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
 // How a face lies to the normals of the reference at a point: on an edge the reference has several.
 enum class Face_orientation : char
@@ -38,9 +35,6 @@ Face_orientation orientation_at(const Reference& reference, const typename Refer
                                  : Face_orientation::REVERSED;
 }
 
-} // namespace vertex_location
-} // namespace internal
-} // namespace Polygon_mesh_processing
-} // namespace CGAL
+} // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
 
 #endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_FACE_ORIENTATION_H

@@ -14,10 +14,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Polygon_mesh_processing {
-namespace internal {
-namespace vertex_location {
+namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
 // A sum over a weight: 0 where there is no weight, infinite rather than not a number where the numbers overflow.
 inline double mean_of(double sum, double weight)
@@ -116,9 +113,6 @@ Error_sum sum_of_faces(const std::vector<Face_error>& faces)
   return sum_over_indices<ConcurrencyTag, Error_sum>(faces.size(), [&](std::size_t f) { return Error_sum(faces[f]); });
 }
 
-} // namespace vertex_location
-} // namespace internal
-} // namespace Polygon_mesh_processing
-} // namespace CGAL
+} // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
 
 #endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_MEASURE_ERROR_H

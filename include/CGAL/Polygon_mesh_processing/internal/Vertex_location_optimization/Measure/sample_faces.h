@@ -17,10 +17,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Polygon_mesh_processing {
-namespace internal {
-namespace vertex_location {
+namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
 // How many samples a face gets unless the user says otherwise: the mean of a mesh that interpolates the reference is
 // within 1% of its limit from 25 on, that of an optimized mesh, whose error has a kink where the two surfaces cross,
@@ -67,9 +64,6 @@ void project_samples(const std::array<Point, 3>& triangle,
     }
 }
 
-} // namespace vertex_location
-} // namespace internal
-} // namespace Polygon_mesh_processing
-} // namespace CGAL
+} // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
 
 #endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_SAMPLE_FACES_H

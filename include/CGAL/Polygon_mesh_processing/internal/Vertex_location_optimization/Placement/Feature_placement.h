@@ -15,10 +15,7 @@
 #include <cmath>
 #include <vector>
 
-namespace CGAL {
-namespace Polygon_mesh_processing {
-namespace internal {
-namespace vertex_location {
+namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
 // Places the vertices of constrained edges along the creases and borders of the reference. It has samples of its own, on
 // these curves, at the constrained edges.
@@ -176,9 +173,6 @@ private:
   std::vector<Curve_vertex> m_curve_vertices;
 };
 
-} // namespace vertex_location
-} // namespace internal
-} // namespace Polygon_mesh_processing
-} // namespace CGAL
+} // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
 
 #endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_FEATURE_PLACEMENT_H

@@ -6,7 +6,6 @@
 #ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_LEAST_SQUARES_PLACEMENT_H
 #define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_LEAST_SQUARES_PLACEMENT_H
 
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Placement/Optimization_options.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Placement/Normal_equations.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Placement/Placement.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Placement/pull_to_regular.h>
@@ -18,10 +17,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace CGAL {
-namespace Polygon_mesh_processing {
-namespace internal {
-namespace vertex_location {
+namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
 inline Optimization_options least_squares_defaults()
 {
@@ -88,7 +84,7 @@ public:
   // last displacement is repeated to get there sooner. A vertex whose samples fit stays.
   void place(const Iteration&) override
   {
-    // max_step relative to the mean edge length; larger values converge faster, and on few models not at all
+    // found by trial: they trade speed for settling; max_step is relative to the mean edge length
     constexpr double relaxation = 1.4, momentum = 0.5, max_step = 0.25;
 
     const double limit = max_step * m_remesh.mean_edge_length;
@@ -174,7 +170,8 @@ private:
   Vector pull(const std::size_t i, const Vertex_equations& of_vertex) const
   {
     Vector sum = NULL_VECTOR;
-    const double side = std::sqrt(of_vertex.area / of_vertex.number_of_faces * 4 / std::sqrt(3.)); // if they were equilateral
+    const double mean_area = of_vertex.area / of_vertex.number_of_faces;
+    const double side = std::sqrt(mean_area * 4 / std::sqrt(3.)); // if the faces were equilateral
     m_remesh.for_each_corner(i, [&](Index c)
     {
       sum = sum + pull_to_regular(m_remesh.points[i], m_remesh.points[m_remesh.vertex(Mesh_arrays::next(c))],
@@ -195,9 +192,6 @@ private:
   double m_displacement_along_normals = 0; // of the last iteration, root mean square
 };
 
-} // namespace vertex_location
-} // namespace internal
-} // namespace Polygon_mesh_processing
-} // namespace CGAL
+} // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
 
 #endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_LEAST_SQUARES_PLACEMENT_H

@@ -13,10 +13,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace CGAL {
-namespace Polygon_mesh_processing {
-namespace internal {
-namespace vertex_location {
+namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
 // The normal equations of a vertex, H d = g, for its displacement d.
 class Normal_equations
@@ -84,9 +81,6 @@ private:
   Vector m_g = NULL_VECTOR;
 };
 
-} // namespace vertex_location
-} // namespace internal
-} // namespace Polygon_mesh_processing
-} // namespace CGAL
+} // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
 
 #endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_NORMAL_EQUATIONS_H

@@ -6,7 +6,6 @@
 #ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_PIECEWISE_LINEAR_PLACEMENT_H
 #define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_PIECEWISE_LINEAR_PLACEMENT_H
 
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Placement/Optimization_options.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Placement/piecewise_linear_update.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Placement/Placement.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Placement/springs.h>
@@ -15,10 +14,7 @@
 #include <array>
 #include <cstddef>
 
-namespace CGAL {
-namespace Polygon_mesh_processing {
-namespace internal {
-namespace vertex_location {
+namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
 inline Optimization_options piecewise_linear_defaults()
 {
@@ -118,9 +114,6 @@ private:
   const std::size_t m_number_of_relaxation_steps;
 };
 
-} // namespace vertex_location
-} // namespace internal
-} // namespace Polygon_mesh_processing
-} // namespace CGAL
+} // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
 
 #endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_PIECEWISE_LINEAR_PLACEMENT_H

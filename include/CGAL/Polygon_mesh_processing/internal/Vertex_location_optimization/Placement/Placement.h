@@ -8,11 +8,23 @@
 
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Remesh.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Sampling/Remesh_samples.h>
+#include <CGAL/Polygon_mesh_processing/Placement_method.h>
 
-namespace CGAL {
-namespace Polygon_mesh_processing {
-namespace internal {
-namespace vertex_location {
+#include <cstddef>
+
+namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
+
+// The parameters of the user.
+struct Optimization_options
+{
+  Placement_method placement_method;
+  double convergence_threshold; // relative to the mean edge length
+  bool do_self_intersection_tests;
+  std::size_t number_of_iterations = 30;
+  std::size_t number_of_free_iterations = 20;
+  std::size_t number_of_relaxation_steps = 1;
+  double regularity_weight = 0.15; // of LEAST_SQUARES
+};
 
 // Where a run is.
 struct Iteration
@@ -59,9 +71,6 @@ protected:
   Remesh_samples<Reference> m_samples;
 };
 
-} // namespace vertex_location
-} // namespace internal
-} // namespace Polygon_mesh_processing
-} // namespace CGAL
+} // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
 
 #endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_PLACEMENT_H

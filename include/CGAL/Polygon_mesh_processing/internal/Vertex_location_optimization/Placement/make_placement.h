@@ -11,10 +11,7 @@
 
 #include <memory>
 
-namespace CGAL {
-namespace Polygon_mesh_processing {
-namespace internal {
-namespace vertex_location {
+namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
 // The only places that know all placement methods.
 
@@ -32,9 +29,6 @@ make_placement(const Reference& reference, Remesh& remesh, const Optimization_op
   return std::make_unique<Piecewise_linear_placement<ConcurrencyTag, Reference>>(reference, remesh, options);
 }
 
-} // namespace vertex_location
-} // namespace internal
-} // namespace Polygon_mesh_processing
-} // namespace CGAL
+} // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
 
 #endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_MAKE_PLACEMENT_H

@@ -8,10 +8,7 @@
 
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/geometry.h>
 
-namespace CGAL {
-namespace Polygon_mesh_processing {
-namespace internal {
-namespace vertex_location {
+namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
 // Equation (1) for the corner i of a face, relative to the signal there. The signal, vectors, is p(k) at corner k and m(k)
 // at the midpoint of the side that is opposite to it.
@@ -22,9 +19,6 @@ Vector piecewise_linear_update(const Index i, const CornerSignal& p, const Midpo
   return (11 * (m(j) + m(k) - p(i)) - 7 * m(i) - 2 * (p(j) + p(k))) / 15;
 }
 
-} // namespace vertex_location
-} // namespace internal
-} // namespace Polygon_mesh_processing
-} // namespace CGAL
+} // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
 
 #endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_PIECEWISE_LINEAR_UPDATE_H

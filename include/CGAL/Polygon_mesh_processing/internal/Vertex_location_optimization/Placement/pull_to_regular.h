@@ -12,10 +12,7 @@
 #include <array>
 #include <cmath>
 
-namespace CGAL {
-namespace Polygon_mesh_processing {
-namespace internal {
-namespace vertex_location {
+namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
 // How far and where v should move for the triangle v, p, q to become more regular; `length` is that of the sides of the
 // triangles around. Two things are added: the way to the apex of the equilateral triangle over pq, less the farther it is
@@ -49,9 +46,6 @@ inline Vector pull_to_regular(const Point& v, const Point& p, const Point& q, co
          (angle_part * square(length) / sum_of_weights) * gradient;
 }
 
-} // namespace vertex_location
-} // namespace internal
-} // namespace Polygon_mesh_processing
-} // namespace CGAL
+} // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
 
 #endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_PULL_TO_REGULAR_H

@@ -13,10 +13,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Polygon_mesh_processing {
-namespace internal {
-namespace vertex_location {
+namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
 // The force between two neighbors, equations (3) and (4).
 class Spring
@@ -76,9 +73,6 @@ void relax_springs(Remesh& remesh, const Spring& spring, const std::size_t numbe
   }
 }
 
-} // namespace vertex_location
-} // namespace internal
-} // namespace Polygon_mesh_processing
-} // namespace CGAL
+} // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
 
 #endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_SPRINGS_H

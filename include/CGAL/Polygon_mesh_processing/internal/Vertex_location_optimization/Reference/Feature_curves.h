@@ -16,10 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Polygon_mesh_processing {
-namespace internal {
-namespace vertex_location {
+namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
 // A cubic Bezier curve over an edge of the reference that is a crease or on the border. A patch, see `Patch_tree`, of which
 // only the coordinate u counts.
@@ -220,9 +217,6 @@ private:
   std::vector<Index> m_next, m_previous;
 };
 
-} // namespace vertex_location
-} // namespace internal
-} // namespace Polygon_mesh_processing
-} // namespace CGAL
+} // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
 
 #endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_FEATURE_CURVES_H

@@ -6,17 +6,14 @@
 #ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_FLAT_TRIANGLE_H
 #define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_FLAT_TRIANGLE_H
 
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/Foot_estimate.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/triangle_coordinates.h>
 
 #include <CGAL/Bbox_3.h>
 
 #include <array>
 #include <cmath>
 
-namespace CGAL {
-namespace Polygon_mesh_processing {
-namespace internal {
-namespace vertex_location {
+namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
 // A face of the reference as it is, a `Surface_patch`, see `Patch_tree` and `Reference_patches`.
 class Flat_triangle
@@ -64,9 +61,6 @@ private:
   std::array<Point, 3> m_corners;
 };
 
-} // namespace vertex_location
-} // namespace internal
-} // namespace Polygon_mesh_processing
-} // namespace CGAL
+} // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
 
 #endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_FLAT_TRIANGLE_H

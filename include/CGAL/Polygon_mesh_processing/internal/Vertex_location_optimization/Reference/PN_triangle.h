@@ -6,7 +6,7 @@
 #ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_PN_TRIANGLE_H
 #define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_PN_TRIANGLE_H
 
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/Foot_estimate.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/triangle_coordinates.h>
 
 #include <CGAL/Bbox_3.h>
 
@@ -14,10 +14,7 @@
 #include <array>
 #include <cmath>
 
-namespace CGAL {
-namespace Polygon_mesh_processing {
-namespace internal {
-namespace vertex_location {
+namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
 // A curved PN triangle (Vlachos et al., Curved PN triangles, 2001): a cubic Bezier triangle for the points, a quadratic
 // one for the normals. A `Surface_patch`, see `Patch_tree` and `Reference_patches`.
@@ -299,9 +296,6 @@ private:
   Vector n200, n020, n002, n110, n011, n101;
 };
 
-} // namespace vertex_location
-} // namespace internal
-} // namespace Polygon_mesh_processing
-} // namespace CGAL
+} // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
 
 #endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_PN_TRIANGLE_H

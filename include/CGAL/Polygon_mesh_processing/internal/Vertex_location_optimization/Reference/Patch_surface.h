@@ -15,10 +15,7 @@
 
 #include <utility>
 
-namespace CGAL {
-namespace Polygon_mesh_processing {
-namespace internal {
-namespace vertex_location {
+namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
 // The kernel of the points of a mesh that has an internal vertex point map.
 template <typename TriangleMesh>
@@ -31,7 +28,7 @@ struct Kernel_of
 template <typename TriangleMesh, typename GeomTraits>
 using Geom_traits_or_kernel_of = typename Default::Lazy_get<GeomTraits, Kernel_of<TriangleMesh>>::type;
 
-// What the two models of `ReferenceSurface` have in common, see there.
+// What the two models of `ReferenceSurface` have in common: their patches, for the points of any kernel.
 template <typename Patch, typename GeomTraits>
 class Patch_surface
 {
@@ -60,13 +57,16 @@ public:
 protected:
   explicit Patch_surface(Reference_patches<Patch> patches) : m_patches(std::move(patches)) {}
 
+  template <typename ConcurrencyTag, typename TriangleMesh, typename NamedParameters>
+  static Reference_patches<Patch> make_patches(const TriangleMesh& tmesh, const NamedParameters& np)
+  {
+    return make_reference_patches<Patch, ConcurrencyTag>(tmesh, np);
+  }
+
 private:
   Reference_patches<Patch> m_patches;
 };
 
-} // namespace vertex_location
-} // namespace internal
-} // namespace Polygon_mesh_processing
-} // namespace CGAL
+} // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
 
 #endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_PATCH_SURFACE_H

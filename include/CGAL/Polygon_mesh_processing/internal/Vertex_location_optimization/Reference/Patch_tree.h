@@ -6,7 +6,7 @@
 #ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_PATCH_TREE_H
 #define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_PATCH_TREE_H
 
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/Foot_estimate.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/triangle_coordinates.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/compatibility.h>
 
 #include <boost/container/small_vector.hpp>
@@ -17,10 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Polygon_mesh_processing {
-namespace internal {
-namespace vertex_location {
+namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
 // A point of a reference surface: its patch and the coordinates in the patch.
 struct Patch_foot
@@ -205,9 +202,6 @@ private:
   Tree m_tree;
 };
 
-} // namespace vertex_location
-} // namespace internal
-} // namespace Polygon_mesh_processing
-} // namespace CGAL
+} // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
 
 #endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_PATCH_TREE_H

@@ -13,10 +13,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace Polygon_mesh_processing {
-namespace internal {
-namespace vertex_location {
+namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
 // What the phases need of a reference surface: a refinement of the concept `ReferenceSurface`, in double precision.
 //
@@ -88,9 +85,6 @@ double distance_to_foot(const Point& p, const Reference& reference, const typena
   return norm(p - reference.point(foot));
 }
 
-} // namespace vertex_location
-} // namespace internal
-} // namespace Polygon_mesh_processing
-} // namespace CGAL
+} // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
 
 #endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_REFERENCE_ACCESS_H

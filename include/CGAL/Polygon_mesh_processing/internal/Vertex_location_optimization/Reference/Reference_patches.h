@@ -20,10 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Polygon_mesh_processing {
-namespace internal {
-namespace vertex_location {
+namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
 // A reference surface: a patch on each face of a mesh, and the curves of its creases and borders. A model of the concept
 // that `Reference_access.h` documents. The patches are surface patches: besides what `Patch_tree` asks of a patch they have
@@ -171,9 +168,6 @@ private:
   Feature_curves m_curves;
 };
 
-} // namespace vertex_location
-} // namespace internal
-} // namespace Polygon_mesh_processing
-} // namespace CGAL
+} // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
 
 #endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_REFERENCE_PATCHES_H

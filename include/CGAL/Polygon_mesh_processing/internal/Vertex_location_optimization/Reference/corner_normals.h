@@ -12,10 +12,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace CGAL {
-namespace Polygon_mesh_processing {
-namespace internal {
-namespace vertex_location {
+namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
 // unit normals of the faces; the null vector for a face without an area
 template <typename ConcurrencyTag>
@@ -120,9 +117,6 @@ std::vector<Vector> compute_corner_normals(const Mesh_arrays& mesh,
   return normals;
 }
 
-} // namespace vertex_location
-} // namespace internal
-} // namespace Polygon_mesh_processing
-} // namespace CGAL
+} // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
 
 #endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_CORNER_NORMALS_H

@@ -19,10 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Polygon_mesh_processing {
-namespace internal {
-namespace vertex_location {
+namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
 // The creases of a reference: the edges that the user constrains, and those that are sharp unless the user leaves it at
 // the constrained ones.
@@ -140,9 +137,6 @@ Reference_patches<Patch> make_reference_patches(const TriangleMesh& tmesh, const
   return { std::move(patches), std::move(neighbors), std::move(curves) };
 }
 
-} // namespace vertex_location
-} // namespace internal
-} // namespace Polygon_mesh_processing
-} // namespace CGAL
+} // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
 
 #endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_MAKE_REFERENCE_PATCHES_H

@@ -6,15 +6,15 @@
 #ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_WITH_REFERENCE_SURFACE_H
 #define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_WITH_REFERENCE_SURFACE_H
 
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/geometry.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/Reference_access.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/Mesh_arrays.h>
 #include <CGAL/Polygon_mesh_processing/PN_triangle_surface.h>
+
+#include <CGAL/assertions.h>
 
 #include <type_traits>
 
-namespace CGAL {
-namespace Polygon_mesh_processing {
-namespace internal {
-namespace vertex_location {
+namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
 // A model of `ReferenceSurface` has a type `Foot`, a model of `FaceGraph` has none.
 template <typename Reference, typename = void>
@@ -34,9 +34,24 @@ auto with_reference_surface(const Reference& reference, const NamedParameters& n
     return f(PN_triangle_surface<Reference, Kernel>(reference, np, ConcurrencyTag()));
 }
 
-} // namespace vertex_location
-} // namespace internal
-} // namespace Polygon_mesh_processing
-} // namespace CGAL
+// Returns f(access) with what `access_reference()` gives for `reference`, a mesh or a reference surface; `otherwise` if it
+// is empty, but `mesh` is not.
+template <typename ConcurrencyTag, typename Reference, typename NamedParameters, typename Result, typename F>
+Result with_reference(const Mesh_arrays& mesh,
+                      const Reference& reference,
+                      const NamedParameters& np,
+                      const Result& otherwise,
+                      const F& f)
+{
+  return with_reference_surface<ConcurrencyTag>(reference, np, [&](const auto& surface) -> Result
+  {
+    const auto& access = access_reference(surface);
+    const bool has_reference = !access.is_empty() || mesh.points.empty();
+    CGAL_precondition(has_reference);
+    return has_reference ? f(access) : otherwise;
+  });
+}
+
+} // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
 
 #endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_WITH_REFERENCE_SURFACE_H

@@ -17,10 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Polygon_mesh_processing {
-namespace internal {
-namespace vertex_location {
+namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
 // Moves `foot`, a point of a mesh by its face, to the point closest to `query` as far as walking from face to face leads
 // closer: from a foot on the boundary of its face to all faces around. `Reference_patches` walks across sides alone, from
@@ -62,7 +59,7 @@ public:
   template <typename ConcurrencyTag, typename Reference>
   void start(const Reference& reference, const Remesh& remesh)
   {
-    constexpr std::size_t samples_per_face = 6; // with more of them the least squares fit does not gain
+    constexpr std::size_t samples_per_face = 6; // of the remesh; they take most of the time and memory of the fit
     const std::size_t number_of_faces = remesh.number_of_faces(), n = samples_per_face * number_of_faces;
     m_area = reference.area() / n;
     if(m_area > 0)
@@ -166,9 +163,6 @@ private:
   std::vector<double> m_travels; // how far the vertices of each face have gone since its samples were searched
 };
 
-} // namespace vertex_location
-} // namespace internal
-} // namespace Polygon_mesh_processing
-} // namespace CGAL
+} // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
 
 #endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_AREA_SAMPLES_H

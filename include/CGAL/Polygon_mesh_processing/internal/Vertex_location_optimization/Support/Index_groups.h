@@ -11,10 +11,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Polygon_mesh_processing {
-namespace internal {
-namespace vertex_location {
+namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
 // The indices 0, ..., n - 1 in groups, in increasing order in each of them.
 class Index_groups
@@ -51,9 +48,6 @@ private:
   std::vector<Index> m_members;
 };
 
-} // namespace vertex_location
-} // namespace internal
-} // namespace Polygon_mesh_processing
-} // namespace CGAL
+} // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
 
 #endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_INDEX_GROUPS_H

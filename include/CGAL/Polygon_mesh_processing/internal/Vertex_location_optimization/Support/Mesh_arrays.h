@@ -14,10 +14,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Polygon_mesh_processing {
-namespace internal {
-namespace vertex_location {
+namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
 // A triangle mesh in contiguous arrays, in an order in which what is close in space is close in memory: the vertices along
 // a space-filling curve, edges and faces in the order of their first vertices, with which they begin.
@@ -110,9 +107,6 @@ private:
   }
 };
 
-} // namespace vertex_location
-} // namespace internal
-} // namespace Polygon_mesh_processing
-} // namespace CGAL
+} // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
 
 #endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_MESH_ARRAYS_H

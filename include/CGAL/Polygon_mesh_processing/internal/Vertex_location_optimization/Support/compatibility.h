@@ -15,11 +15,7 @@
 #endif
 #include <CGAL/AABB_tree.h>
 
-namespace CGAL {
-
-namespace Polygon_mesh_processing {
-namespace internal {
-namespace vertex_location {
+namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
 #if CGAL_VERSION_MAJOR >= 6
 template <typename GeomTraits, typename Primitive>
@@ -29,9 +25,6 @@ template <typename GeomTraits, typename Primitive>
 using AABB_traits_for = AABB_traits<GeomTraits, Primitive>;
 #endif
 
-} // namespace vertex_location
-} // namespace internal
-} // namespace Polygon_mesh_processing
-} // namespace CGAL
+} // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
 
 #endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_COMPATIBILITY_H

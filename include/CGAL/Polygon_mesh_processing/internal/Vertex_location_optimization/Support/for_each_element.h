@@ -11,10 +11,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Polygon_mesh_processing {
-namespace internal {
-namespace vertex_location {
+namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
 // Calls on_vertex(i), on_edge(e) and on_face(f) for all vertices, edges and faces of `mesh`, see `for_each_index()`. Edges
 // and faces follow their first vertex: what they read of the reference, which is much larger, is in the cache still. The
@@ -37,9 +34,6 @@ void for_each_element(const Mesh_arrays& mesh, const OnVertex& on_vertex, const 
   });
 }
 
-} // namespace vertex_location
-} // namespace internal
-} // namespace Polygon_mesh_processing
-} // namespace CGAL
+} // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
 
 #endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_FOR_EACH_ELEMENT_H

@@ -20,10 +20,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Polygon_mesh_processing {
-namespace internal {
-namespace vertex_location {
+namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
 // Calls f(i) for each i in [0, n). Calls for different i may run at the same time: f(i) must write nothing that another
 // call reads or writes.
@@ -97,9 +94,6 @@ T sum_over_indices(std::size_t n, const F& f)
   return sum;
 }
 
-} // namespace vertex_location
-} // namespace internal
-} // namespace Polygon_mesh_processing
-} // namespace CGAL
+} // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
 
 #endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_FOR_EACH_INDEX_H

@@ -14,10 +14,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Polygon_mesh_processing {
-namespace internal {
-namespace vertex_location {
+namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
 // Calls f(i, sum) for each vertex i of the mesh with the sum over its faces: terms(f)[k] is what face f adds to that of its
 // vertex k. Sums start with Sum(). Blocks of vertices that follow each other are also close to each other: only the faces
@@ -58,9 +55,6 @@ void for_each_sum_over_faces(const Remesh& mesh, const Terms& terms, const F& f)
   });
 }
 
-} // namespace vertex_location
-} // namespace internal
-} // namespace Polygon_mesh_processing
-} // namespace CGAL
+} // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
 
 #endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_FOR_EACH_SUM_OVER_FACES_H

@@ -16,10 +16,7 @@
 #include <limits>
 #include <type_traits>
 
-namespace CGAL {
-namespace Polygon_mesh_processing {
-namespace internal {
-namespace vertex_location {
+namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
 // The internals work in double precision, whatever the kernel of the user's points.
 using Kernel = Simple_cartesian<double>;
@@ -63,9 +60,6 @@ To convert(const From& p)
   }
 }
 
-} // namespace vertex_location
-} // namespace internal
-} // namespace Polygon_mesh_processing
-} // namespace CGAL
+} // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
 
 #endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_GEOMETRY_H

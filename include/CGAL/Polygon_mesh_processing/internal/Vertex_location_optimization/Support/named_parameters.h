@@ -10,15 +10,16 @@
 
 #include <type_traits>
 
-namespace CGAL {
+// the parameters that CGAL does not have
+#define CGAL_VERTEX_LOCATION_for_each_named_parameter(F) \
+  F(number_of_free_iterations) F(convergence_threshold) F(placement_method) F(regularity_weight) F(face_error_map) \
+  F(vertex_error_map)
 
+namespace CGAL {
 namespace internal_np {
-enum number_of_free_iterations_t { number_of_free_iterations };
-enum convergence_threshold_t { convergence_threshold };
-enum placement_method_t { placement_method };
-enum regularity_weight_t { regularity_weight };
-enum face_error_map_t { face_error_map };
-enum vertex_error_map_t { vertex_error_map };
+#define CGAL_VERTEX_LOCATION_named_parameter(NAME) enum NAME##_t { NAME };
+CGAL_VERTEX_LOCATION_for_each_named_parameter(CGAL_VERTEX_LOCATION_named_parameter)
+#undef CGAL_VERTEX_LOCATION_named_parameter
 } // namespace internal_np
 
 namespace Polygon_mesh_processing {
@@ -40,12 +41,7 @@ struct Vertex_location_named_parameters
   {                                                                                                                    \
     return Vertex_location_named_parameters<K, internal_np::NAME##_t, Parameters>(k, *this);                           \
   }
-  CGAL_VERTEX_LOCATION_named_parameter(number_of_free_iterations)
-  CGAL_VERTEX_LOCATION_named_parameter(convergence_threshold)
-  CGAL_VERTEX_LOCATION_named_parameter(placement_method)
-  CGAL_VERTEX_LOCATION_named_parameter(regularity_weight)
-  CGAL_VERTEX_LOCATION_named_parameter(face_error_map)
-  CGAL_VERTEX_LOCATION_named_parameter(vertex_error_map)
+  CGAL_VERTEX_LOCATION_for_each_named_parameter(CGAL_VERTEX_LOCATION_named_parameter)
   CGAL_VERTEX_LOCATION_named_parameter(sharpness_angle)
 #undef CGAL_VERTEX_LOCATION_named_parameter
 };
@@ -69,12 +65,8 @@ namespace parameters {
   {                                                                                                                    \
     return Polygon_mesh_processing::internal::Vertex_location_named_parameters<K, internal_np::NAME##_t>(k);           \
   }
-CGAL_VERTEX_LOCATION_named_parameter(number_of_free_iterations)
-CGAL_VERTEX_LOCATION_named_parameter(convergence_threshold)
-CGAL_VERTEX_LOCATION_named_parameter(placement_method)
-CGAL_VERTEX_LOCATION_named_parameter(regularity_weight)
-CGAL_VERTEX_LOCATION_named_parameter(face_error_map)
-CGAL_VERTEX_LOCATION_named_parameter(vertex_error_map)
+CGAL_VERTEX_LOCATION_for_each_named_parameter(CGAL_VERTEX_LOCATION_named_parameter)
+#undef CGAL_VERTEX_LOCATION_for_each_named_parameter
 #undef CGAL_VERTEX_LOCATION_named_parameter
 
 } // namespace parameters

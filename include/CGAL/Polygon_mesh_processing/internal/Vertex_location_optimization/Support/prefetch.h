@@ -8,10 +8,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Polygon_mesh_processing {
-namespace internal {
-namespace vertex_location {
+namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
 // asks for `object` to be brought to the cache, where the compiler has a way to say so
 template <typename T>
@@ -27,9 +24,6 @@ void prefetch(const T& object)
 #endif
 }
 
-} // namespace vertex_location
-} // namespace internal
-} // namespace Polygon_mesh_processing
-} // namespace CGAL
+} // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
 
 #endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_PREFETCH_H

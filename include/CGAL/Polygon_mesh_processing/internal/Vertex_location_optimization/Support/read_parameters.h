@@ -16,10 +16,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Polygon_mesh_processing {
-namespace internal {
-namespace vertex_location {
+namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
 // the vertex point map among the parameters, else the mesh's own; a readable one if `TriangleMesh` is const
 template <typename TriangleMesh, typename NamedParameters>
@@ -62,9 +59,6 @@ std::vector<char> find_constrained_edges(const Mesh_arrays& mesh,
   return is_constrained;
 }
 
-} // namespace vertex_location
-} // namespace internal
-} // namespace Polygon_mesh_processing
-} // namespace CGAL
+} // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
 
 #endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_READ_PARAMETERS_H

@@ -12,10 +12,7 @@
 #include <array>
 #include <limits>
 
-namespace CGAL {
-namespace Polygon_mesh_processing {
-namespace internal {
-namespace vertex_location {
+namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
 // Barycentric coordinates of a point of a triangle with respect to its corners 1 and 2; that of corner 0 is 1 - u - v.
 struct Coordinates
@@ -92,9 +89,14 @@ inline Coordinates closest_on_triangle(const std::array<Point, 3>& t, const Poin
   return best;
 }
 
-} // namespace vertex_location
-} // namespace internal
-} // namespace Polygon_mesh_processing
-} // namespace CGAL
+// What is known of the foot of a point on a patch before it is computed.
+struct Foot_estimate
+{
+  Coordinates coordinates; // where to begin
+  double lower_bound;      // of the distance
+  double upper_bound;
+};
+
+} // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
 
 #endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_TRIANGLE_COORDINATES_H

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRY_IMAGE_TRIANGULATE_H
-#define CGAL_GEOMETRY_IMAGE_TRIANGULATE_H
+#ifndef CGAL_GEOMETRY_IMAGE_GEOMETRY_IMAGE_TO_POLYGON_MESH_H
+#define CGAL_GEOMETRY_IMAGE_GEOMETRY_IMAGE_TO_POLYGON_MESH_H
 
 #include <CGAL/Geometry_image/Geometry_image.h>
 #include <CGAL/Geometry_image/internal/triangulate_samples.h>
@@ -19,22 +19,22 @@ namespace CGAL {
  *
  * \brief triangulates a geometry image with the diagonals of another one.
  *
- * This is `triangulate(image, tmesh, np)`, but for the triangles, which are those of `diagonals`: two images that differ
- * in their samples' locations only, as one has them before and after
+ * This is `geometry_image_to_polygon_mesh(image, tmesh, np)`, but for the triangles, which are those of `diagonals`: two
+ * images that differ in their samples' locations only, as one has them before and after
  * `CGAL::Polygon_mesh_processing::optimize_geometry_image()`, get the same connectivity.
  *
  * \param image the image that the points are taken from
  * \param tmesh the mesh that the vertices and faces are added to
  * \param diagonals the image that the connectivity is taken from: its shorter diagonals and coinciding samples
- * \param np an optional sequence of named parameters, those of `triangulate(image, tmesh, np)`
+ * \param np an optional sequence of named parameters, those of `geometry_image_to_polygon_mesh(image, tmesh, np)`
  *
  * \pre the two images have the same size, and all their coordinates are finite. Otherwise nothing is added.
  */
 template <typename Point_3, typename TriangleMesh, typename NamedParameters = parameters::Default_named_parameters>
-void triangulate(const Geometry_image<Point_3>& image,
-                 TriangleMesh& tmesh,
-                 const Geometry_image<Point_3>& diagonals,
-                 const NamedParameters& np = parameters::default_values())
+void geometry_image_to_polygon_mesh(const Geometry_image<Point_3>& image,
+                                    TriangleMesh& tmesh,
+                                    const Geometry_image<Point_3>& diagonals,
+                                    const NamedParameters& np = parameters::default_values())
 {
   const bool is_valid = image.width() == diagonals.width() && image.height() == diagonals.height() &&
                         internal::geometry_image::has_finite_samples(image) &&
@@ -86,13 +86,13 @@ void triangulate(const Geometry_image<Point_3>& image,
  * \pre all coordinates are finite. Otherwise nothing is added.
  */
 template <typename Point_3, typename TriangleMesh, typename NamedParameters = parameters::Default_named_parameters>
-void triangulate(const Geometry_image<Point_3>& image,
-                 TriangleMesh& tmesh,
-                 const NamedParameters& np = parameters::default_values())
+void geometry_image_to_polygon_mesh(const Geometry_image<Point_3>& image,
+                                    TriangleMesh& tmesh,
+                                    const NamedParameters& np = parameters::default_values())
 {
-  triangulate(image, tmesh, image, np);
+  geometry_image_to_polygon_mesh(image, tmesh, image, np);
 }
 
 } // namespace CGAL
 
-#endif // CGAL_GEOMETRY_IMAGE_TRIANGULATE_H
+#endif // CGAL_GEOMETRY_IMAGE_GEOMETRY_IMAGE_TO_POLYGON_MESH_H

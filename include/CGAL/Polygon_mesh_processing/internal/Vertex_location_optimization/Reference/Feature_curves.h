@@ -105,41 +105,19 @@ class Feature_curves
 public:
   using Foot = Patch_foot; // a piece and its coordinate u
 
+  Feature_curves() = default;
+
   // `is_feature(e)` tells the features among the edges of `mesh`, `piece(e)` is the curve over edge e from edges[e][0] to
-  // edges[e][1]
+  // edges[e][1]. CGAL's split_graph_into_polylines() would give the vertices of the curves, from which the edges and their
+  // directions had to be found again.
   template <typename IsFeature, typename Piece>
-  static Feature_curves make(const Mesh_arrays& mesh, const IsFeature& is_feature, const Piece& piece)
+  Feature_curves(const Mesh_arrays& mesh, const IsFeature& is_feature, const Piece& piece)
   {
-    // the feature edges at each vertex, with their ends: 2 e + 0 or 1
-    std::vector<std::pair<Index, Index>> ends;
-    for(Index e = 0; e < mesh.edges.size(); ++e)
-      if(is_feature(e))
-        for(Index k = 0; k < 2; ++k)
-          ends.emplace_back(mesh.edges[e][k], 2 * e + k);
-    std::sort(ends.begin(), ends.end());
-
-    // continuation[2 e + k]: the end of the next edge where the curve goes on beyond end k of e
-    std::vector<Index> continuation(2 * mesh.edges.size(), no_index);
-    for(std::size_t first = 0, last; first < ends.size(); first = last)
-    {
-      for(last = first; last < ends.size() && ends[last].first == ends[first].first; )
-        ++last;
-      if(last - first != 2)
-        continue;
-      const Index a = ends[first].second, b = ends[first + 1].second;
-      const Point& p = mesh.points[ends[first].first];
-      const Vector u = mesh.points[mesh.edges[a / 2][1 - a % 2]] - p, v = mesh.points[mesh.edges[b / 2][1 - b % 2]] - p;
-      if(goes_straight_through(u, v))
-      {
-        continuation[a] = b;
-        continuation[b] = a;
-      }
-    }
-
-    Feature_curves curves;
+    const std::vector<Edge_end> ends = find_ends(mesh, is_feature);
+    const std::vector<Index> continuation = find_continuations(mesh, ends);
     std::vector<Curve_piece> pieces;
     std::vector<char> is_done(mesh.edges.size(), 0);
-    auto follow = [&](Index from_end) // the curve that starts at this end of an edge
+    const auto follow = [&](Index from_end) // the curve that starts at this end of an edge
     {
       const Index first = static_cast<Index>(pieces.size());
       for(Index end = from_end; end != no_index && !is_done[end / 2]; end = continuation[end ^ 1])
@@ -147,24 +125,20 @@ public:
         is_done[end / 2] = 1;
         const Index i = static_cast<Index>(pieces.size());
         pieces.push_back(end % 2 == 0 ? piece(end / 2) : piece(end / 2).reversed());
-        curves.m_curve.push_back(first);
-        curves.m_next.push_back(i + 1);
-        curves.m_previous.push_back(i == first ? no_index : i - 1);
+        m_curve.push_back(first);
+        m_next.push_back(i + 1);
+        m_previous.push_back(i == first ? no_index : i - 1);
       }
       const bool is_closed = continuation[from_end] != no_index;
-      curves.m_next.back() = is_closed ? first : no_index;
+      m_next.back() = is_closed ? first : no_index;
       if(is_closed)
-        curves.m_previous[first] = static_cast<Index>(pieces.size() - 1);
+        m_previous[first] = static_cast<Index>(pieces.size() - 1);
     };
-    for(const auto& end : ends)
-      if(!is_done[end.second / 2] && continuation[end.second] == no_index)
-        follow(end.second);
-    for(const auto& end : ends)
-      if(!is_done[end.second / 2])
-        follow(end.second);
-
-    curves.m_pieces = Patch_tree<Curve_piece>(std::move(pieces));
-    return curves;
+    for(const bool is_closed : { false, true }) // the open curves first: what is left then is closed
+      for(const auto& [vertex, end] : ends)
+        if(!is_done[end / 2] && (is_closed || continuation[end] == no_index))
+          follow(end);
+    m_pieces = Patch_tree<Curve_piece>(std::move(pieces));
   }
 
   // whether a curve that leaves a vertex in the directions u and v passes through it rather than having a corner there
@@ -212,6 +186,43 @@ public:
   }
 
 private:
+  using Edge_end = std::pair<Index, Index>; // a vertex, and end 0 or 1 of an edge e there: 2 e + 0 or 1
+
+  // the ends of the feature edges, vertex by vertex
+  template <typename IsFeature>
+  static std::vector<Edge_end> find_ends(const Mesh_arrays& mesh, const IsFeature& is_feature)
+  {
+    std::vector<Edge_end> ends;
+    for(Index e = 0; e < mesh.edges.size(); ++e)
+      if(is_feature(e))
+        for(Index k = 0; k < 2; ++k)
+          ends.emplace_back(mesh.edges[e][k], 2 * e + k);
+    std::sort(ends.begin(), ends.end());
+    return ends;
+  }
+
+  // for each end of an edge, that of the next edge where the curve goes on beyond it
+  static std::vector<Index> find_continuations(const Mesh_arrays& mesh, const std::vector<Edge_end>& ends)
+  {
+    std::vector<Index> continuation(2 * mesh.edges.size(), no_index);
+    for(std::size_t first = 0, last; first < ends.size(); first = last)
+    {
+      for(last = first; last < ends.size() && ends[last].first == ends[first].first; )
+        ++last;
+      if(last - first != 2)
+        continue;
+      const Index a = ends[first].second, b = ends[first + 1].second;
+      const Point& p = mesh.points[ends[first].first];
+      const Vector u = mesh.points[mesh.edges[a / 2][1 - a % 2]] - p, v = mesh.points[mesh.edges[b / 2][1 - b % 2]] - p;
+      if(goes_straight_through(u, v))
+      {
+        continuation[a] = b;
+        continuation[b] = a;
+      }
+    }
+    return continuation;
+  }
+
   Patch_tree<Curve_piece> m_pieces;
   std::vector<Index> m_curve; // of each piece: the first piece of its curve
   std::vector<Index> m_next, m_previous;

@@ -126,7 +126,7 @@ Reference_patches<Patch> make_reference_patches(const TriangleMesh& tmesh, const
     const Curve_piece piece(at(0), at(1. / 3), at(2. / 3), at(1));
     return mesh.vertex(Mesh_arrays::next(corner)) == mesh.edges[e][0] ? piece : piece.reversed();
   };
-  Feature_curves curves = Feature_curves::make(mesh, is_feature, curve_piece);
+  Feature_curves curves(mesh, is_feature, curve_piece);
 
   std::vector<std::array<Index, 3>> neighbors(mesh.number_of_faces());
   for_each_index<ConcurrencyTag>(mesh.number_of_faces(), [&](std::size_t f)

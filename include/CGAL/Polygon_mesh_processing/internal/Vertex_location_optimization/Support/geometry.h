@@ -6,8 +6,8 @@
 #ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_GEOMETRY_H
 #define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_GEOMETRY_H
 
+#include <CGAL/Cartesian_converter.h>
 #include <CGAL/Kernel_traits.h>
-#include <CGAL/number_utils.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <array>
@@ -54,10 +54,7 @@ To convert(const From& p)
   if constexpr(std::is_same<To, From>::value)
     return p;
   else
-  {
-    using FT = typename Kernel_traits<To>::Kernel::FT;
-    return To(FT(to_double(p.x())), FT(to_double(p.y())), FT(to_double(p.z())));
-  }
+    return Cartesian_converter<typename Kernel_traits<From>::Kernel, typename Kernel_traits<To>::Kernel>()(p);
 }
 
 } // namespace CGAL::Polygon_mesh_processing::internal::vertex_location

@@ -49,7 +49,8 @@ struct Remesh : Mesh_arrays
   // whether the placement leaves vertex i where it is
   bool is_at_rest(std::size_t i) const
   {
-    return squared_distance(next_points[i], points[i]) <= square(1e-9 * mean_edge_length);
+    constexpr double rounding = 1e-9; // relative to the mean edge length; what a planar part may move by mistake
+    return squared_distance(next_points[i], points[i]) <= square(rounding * mean_edge_length);
   }
 
   Vector last_displacement(std::size_t i) const { return points[i] - previous_points[i]; }

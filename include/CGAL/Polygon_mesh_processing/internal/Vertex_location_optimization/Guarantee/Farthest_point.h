@@ -76,7 +76,7 @@ private:
   Result of_lattice(const Triangle& t, const Foot& hint, const int level, const Project& project) const
   {
     Foot foot = hint;
-    Result best{ -1, Coordinates(), foot };
+    Result best{ -1, barycenter_coordinates, foot };
     for(int i = 0; i <= level; ++i)
       for(int k = 0; k <= level - i; ++k)
       {

@@ -29,7 +29,7 @@ Initial_quality measure_initial_quality(const Reference& reference,
                                         const Remesh_samples<Reference>& samples,
                                         Initial_measure measure)
 {
-  constexpr double close = 0.9; // a face on which the lattice may have more than the samples of another one
+  constexpr double close = 0.9; // the lattice on a face with smaller samples is thought to have no larger maximum
   constexpr int max_faces = 64;
   const auto sampled_maximum = [&](std::size_t f) { return measure.distances.maximum(remesh, f); };
   const auto all = boost::irange<std::size_t>(0, remesh.number_of_faces());

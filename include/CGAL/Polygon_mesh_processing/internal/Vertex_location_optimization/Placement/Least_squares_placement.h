@@ -60,8 +60,8 @@ public:
   {
     Initial_measure initial = m_samples.template start<ConcurrencyTag>(m_reference, m_remesh);
     const double mean = mean_distance<ConcurrencyTag>(m_remesh, m_remesh.points, initial.distances);
-    const double large_error = 0.06 * m_remesh.mean_edge_length;
-    m_regularity_weight *= std::sqrt(mean / large_error);
+    constexpr double large_error = 0.06;
+    m_regularity_weight *= std::sqrt(mean / (large_error * m_remesh.mean_edge_length));
     m_area_samples.template start<ConcurrencyTag>(m_reference, m_remesh);
     return initial;
   }
@@ -86,6 +86,7 @@ public:
   {
     // found by trial: they trade speed for settling; max_step is relative to the mean edge length
     constexpr double relaxation = 1.4, momentum = 0.5, max_step = 0.25;
+    constexpr double rounding = 1e-9; // relative to the terms of the equations
 
     const double limit = max_step * m_remesh.mean_edge_length;
     for_each_sum_over_faces<ConcurrencyTag, Vertex_equations>(m_remesh, [&](std::size_t f) { return face_equations(f); },
@@ -100,10 +101,10 @@ public:
       Normal_equations equations = of_vertex.of_faces;
       equations += Normal_equations(m_samples.vertices.normal(i), m_samples.vertices.offset(i),
                                     Cubic_quadrature::of_vertex(area), m_remesh.mean_edge_length);
-      if(norm(equations.right_hand_side()) <= 1e-9 * area * m_remesh.mean_edge_length)
+      if(norm(equations.right_hand_side()) <= rounding * area * m_remesh.mean_edge_length)
         return;
 
-      const Vector d = equations.solve(pull(i, of_vertex), pull_weight(of_vertex), 1e-9 * area);
+      const Vector d = equations.solve(pull(i, of_vertex), pull_weight(of_vertex), rounding * area);
       const Vector step = relaxation * d + momentum * m_remesh.last_displacement(i);
       const double length = norm(step);
       m_remesh.next_points[i] = v + (length > limit ? (limit / length) * step : step);
@@ -128,9 +129,10 @@ private:
   // As the vertices settle the samples follow them more closely.
   Sampling_tolerance tolerance() const
   {
-    constexpr double max_distance = 0.05; // relative to the mean edge length, as in the piecewise linear placement
-    const double length = m_remesh.mean_edge_length;
-    return { std::clamp(10 * m_displacement_along_normals, 0.02 * length, 0.1 * length), max_distance * length, true };
+    // relative to the mean edge length, and to the displacements; they trade exactness for time
+    constexpr double min_travel = 0.02, max_travel = 0.1, max_distance = 0.05, travel_by_displacement = 10;
+    const double length = m_remesh.mean_edge_length, travel = travel_by_displacement * m_displacement_along_normals;
+    return { std::clamp(travel, min_travel * length, max_travel * length), max_distance * length, true };
   }
 
   // what the samples in face f, but for those at its vertices, say to each of its vertices

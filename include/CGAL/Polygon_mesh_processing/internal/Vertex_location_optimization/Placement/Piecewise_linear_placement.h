@@ -105,7 +105,7 @@ private:
   // Along the normal a vertex moves over its foot: once all samples have been searched when that begins, they stay.
   Sampling_tolerance tolerance(const Iteration& iteration) const
   {
-    constexpr double max_travel = 0.04, max_distance = 0.05; // relative to the mean edge length: time for exactness
+    constexpr double max_travel = 0.04, max_distance = 0.05; // relative to the mean edge length; they trade exactness for time
     const double length = m_remesh.mean_edge_length;
     return { iteration.is_first_along_normals ? 0 : max_travel * length, max_distance * length, iteration.is_free };
   }

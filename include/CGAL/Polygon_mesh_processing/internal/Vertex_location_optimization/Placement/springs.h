@@ -24,7 +24,7 @@ public:
     double area = 0;
     for(std::size_t f = 0; f < remesh.number_of_faces(); ++f)
       area += remesh.area(f);
-    const double sigma = 0.3 * std::sqrt(area / remesh.points.size());
+    const double sigma = 0.3 * std::sqrt(area / remesh.points.size()); // the paper's
     m_two_sigma2 = 2 * sigma * sigma;
   }
 

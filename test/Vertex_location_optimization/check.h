@@ -71,7 +71,7 @@ inline int test_result()
 #define CHECK_AT_MOST(a, b) check::check((a) <= (b), __FILE__, __LINE__, #a " <= " #b, a, b)
 #define CHECK_AT_LEAST(a, b) check::check((a) >= (b), __FILE__, __LINE__, #a " >= " #b, a, b)
 // |a - b| <= tolerance; false for a NaN
-#define CHECK_NEAR(a, b, tolerance)                                                                                    \
+#define CHECK_NEAR(a, b, tolerance)                                                                                         \
   check::check(std::abs((a) - (b)) <= (tolerance), __FILE__, __LINE__, #a " == " #b " +- " #tolerance, a, b, tolerance)
 
 #endif // VERTEX_LOCATION_OPTIMIZATION_TEST_CHECK_H

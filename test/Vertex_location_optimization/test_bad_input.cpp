@@ -42,8 +42,14 @@ bool are_same(const std::vector<Point>& a, const std::vector<Point>& b)
 template <typename F>
 bool violates_precondition(const F& f)
 {
-  try { f(); }
-  catch(const CGAL::Precondition_exception&) { return true; }
+  try
+  {
+    f();
+  }
+  catch(const CGAL::Precondition_exception&)
+  {
+    return true;
+  }
   return false;
 }
 
@@ -192,8 +198,7 @@ int main()
   check_refused(sphere, only_vertices);
 
   start_topic("Several components are optimized each by itself");
-  const auto copied = [](const Mesh& m)
-  {
+  const auto copied = [](const Mesh& m) {
     Mesh both = m, copy = m;
     for(Point& p : copy.points())
       p = p + Vector(0, 0, 4);

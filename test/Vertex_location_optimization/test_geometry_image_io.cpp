@@ -109,19 +109,14 @@ void check_fails(const std::string& name, const std::string& why, const F& f)
   check::check(errors.find(why) != std::string::npos, __FILE__, __LINE__, "the message says why", errors, why);
 }
 
-void check_unreadable(const Directory& directory,
-                      const std::string& name,
-                      const std::string& bytes,
-                      const std::string& why)
+void check_unreadable(const Directory& directory, const std::string& name, const std::string& bytes, const std::string& why)
 {
   const std::string file = directory.file(name);
   write_bytes(file, bytes);
   const Image before = open_patch(3, 2);
   Image image = before;
-  check_fails(file, why, [&](bool verbose)
-  {
-    return CGAL::IO::read_geometry_image(file, image, CGAL::parameters::verbose(verbose));
-  });
+  check_fails(file, why,
+              [&](bool verbose) { return CGAL::IO::read_geometry_image(file, image, CGAL::parameters::verbose(verbose)); });
   CHECK_EQUAL(errors_of([&] { CGAL::IO::read_geometry_image(file, image); }), ""); // by default
   CHECK(are_identical(image, before));
 }
@@ -129,10 +124,8 @@ void check_unreadable(const Directory& directory,
 void check_unwritable(const std::string& file, const Image& image, const std::string& why)
 {
   const std::string before = read_bytes(file);
-  check_fails(file, why, [&](bool verbose)
-  {
-    return CGAL::IO::write_geometry_image(file, image, CGAL::parameters::verbose(verbose));
-  });
+  check_fails(file, why,
+              [&](bool verbose) { return CGAL::IO::write_geometry_image(file, image, CGAL::parameters::verbose(verbose)); });
   CHECK_EQUAL(errors_of([&] { CGAL::IO::write_geometry_image(file, image); }), ""); // by default
   CHECK_EQUAL(read_bytes(file), before);
 }
@@ -143,9 +136,9 @@ void test_bytes(const Directory& directory)
   const float z = -1e-3f;
   const std::vector<float> rows[] = { { 0, 0.5, z, 0, 1.5, z }, { 1, 0.5, z, 1, 1.5, z }, { 2, 0.5, z, 2, 1.5, z } };
   const std::string gim = size_of_gim(2, 3) + samples(rows[0]) + samples(rows[1]) + samples(rows[2]);
-  auto pfm = [&](const std::string& header, bool is_little_endian)
-  {
-    return header + samples(rows[2], is_little_endian) + samples(rows[1], is_little_endian) + samples(rows[0], is_little_endian);
+  auto pfm = [&](const std::string& header, bool is_little_endian) {
+    return header + samples(rows[2], is_little_endian) + samples(rows[1], is_little_endian) +
+           samples(rows[0], is_little_endian);
   };
 
   start_topic("Written files");
@@ -155,8 +148,7 @@ void test_bytes(const Directory& directory)
   CHECK_EQUAL(read_bytes(directory.file("a.pfm")), pfm("PF\n2 3\n-1\n", true));
 
   start_topic("Files that are read");
-  auto check_read = [&](const std::string& name, const std::string& bytes)
-  {
+  auto check_read = [&](const std::string& name, const std::string& bytes) {
     write_bytes(directory.file(name), bytes);
     Image result = open_patch(4, 4);
     CHECK(CGAL::IO::read_geometry_image(directory.file(name), result, CGAL::parameters::verbose(true)));
@@ -242,8 +234,7 @@ void test_bad_files(const Directory& directory)
   fs::create_directory(directory.file("directory.gim"));
   Image untouched;
   for(const std::string& name : { directory.file("none.gim"), directory.file("directory.gim") })
-    check_fails(name, "", [&](bool verbose)
-    {
+    check_fails(name, "", [&](bool verbose) {
       return CGAL::IO::read_geometry_image(name, untouched, CGAL::parameters::verbose(verbose));
     });
   CHECK_EQUAL(untouched.width(), 0u);

@@ -169,10 +169,9 @@ void test_samples()
       columns.push_back(j);
     rows.push_back(7);
     columns.push_back(13);
-    CHECK(are_identical(image.downsampled(step), make_image(columns.size(), rows.size(), [&](std::size_t i, std::size_t j)
-    {
-      return Point(rows[i], columns[j], 0);
-    })));
+    CHECK(are_identical(image.downsampled(step), make_image(columns.size(), rows.size(), [&](std::size_t i, std::size_t j) {
+                          return Point(rows[i], columns[j], 0);
+                        })));
   }
   CHECK(are_identical(image.downsampled((std::numeric_limits<std::size_t>::max)()), image.downsampled(100)));
   CHECK_EQUAL(Image(1, 5).downsampled(2).width(), 1u);
@@ -183,8 +182,14 @@ void test_samples()
   for(std::size_t size : { std::size_t(1) << 32, (std::numeric_limits<std::size_t>::max)() / 2 + 2 })
   {
     bool has_thrown = false;
-    try { Image absurd(size, size); }
-    catch(const std::length_error&) { has_thrown = true; }
+    try
+    {
+      Image absurd(size, size);
+    }
+    catch(const std::length_error&)
+    {
+      has_thrown = true;
+    }
     CHECK(has_thrown);
   }
 }
@@ -192,8 +197,7 @@ void test_samples()
 // the border samples at the same points, as those of an image before it was optimized
 std::vector<std::array<std::size_t, 4>> coinciding_samples(const Image& image)
 {
-  auto is_border = [&](std::size_t i, std::size_t j)
-  {
+  auto is_border = [&](std::size_t i, std::size_t j) {
     return i == 0 || j == 0 || i + 1 == image.height() || j + 1 == image.width();
   };
   std::vector<std::array<std::size_t, 4>> pairs;
@@ -285,8 +289,7 @@ void test_open_images()
   const Mesh fine = triangulated(open_patch(193, 145));
   const PMP::Flat_triangle_surface<Mesh> reference(fine);
   const auto distance = [&](const Point& p) { return norm(p - reference.point(reference.project(p))); };
-  const auto check_border = [&](const Image& result, bool stays)
-  {
+  const auto check_border = [&](const Image& result, bool stays) {
     std::size_t moved = 0;
     for(std::size_t i = 0; i < 19; ++i)
       for(std::size_t j : { 0, 24 })
@@ -308,10 +311,8 @@ void test_open_images()
 
   start_topic("A plane stays as it is");
   const Image plane = make_image(9, 9, [](std::size_t i, std::size_t j) { return Point(j + 0.25 * (i % 2), i, 0); });
-  const Mesh plane_mesh = make_mesh(transformed(triangle_grid(2, 2), [](const Point& p)
-  {
-    return Point(9 * p.x() - 6, 9 * p.y() - 6, 0);
-  }));
+  const Mesh plane_mesh =
+    make_mesh(transformed(triangle_grid(2, 2), [](const Point& p) { return Point(9 * p.x() - 6, 9 * p.y() - 6, 0); }));
   const Image plane_result = optimized(plane, plane_mesh).image;
   for(std::size_t i = 0; i < 9; ++i)
     for(std::size_t j = 0; j < 9; ++j)
@@ -362,7 +363,8 @@ void test_parameters()
                                 params::placement_method(PMP::LEAST_SQUARES)
                                   .regularity_weight(0.15)
                                   .convergence_threshold(7.5e-4)
-                                  .do_self_intersection_tests(true)).image));
+                                  .do_self_intersection_tests(true))
+                        .image));
 
   Counting_visitor visitor;
   const Result stopped = optimized(image, sphere, params::visitor(std::ref(visitor)));
@@ -392,8 +394,10 @@ void test_parameters()
   const Image expected = optimized(inexact, sphere).image;
   for(std::size_t i = 0; i < 9; ++i)
     for(std::size_t j = 0; j < 9; ++j)
-      CHECK_AT_MOST(norm(Point(CGAL::to_double(exact(i, j).x()), CGAL::to_double(exact(i, j).y()),
-                               CGAL::to_double(exact(i, j).z())) - expected(i, j)), 1e-12);
+      CHECK_AT_MOST(
+        norm(Point(CGAL::to_double(exact(i, j).x()), CGAL::to_double(exact(i, j).y()), CGAL::to_double(exact(i, j).z())) -
+             expected(i, j)),
+        1e-12);
 }
 
 #ifdef NDEBUG
@@ -407,8 +411,14 @@ template <typename F>
 void check_refused(const F& f)
 {
   bool has_thrown = false;
-  try { f(); }
-  catch(const CGAL::Precondition_exception&) { has_thrown = true; }
+  try
+  {
+    f();
+  }
+  catch(const CGAL::Precondition_exception&)
+  {
+    has_thrown = true;
+  }
   CHECK_EQUAL(has_thrown, checks_are_on);
 }
 
@@ -448,8 +458,7 @@ void test_bad_images()
   {
     const int size = random.get_int(1, 4); // of the lattice that the samples are taken from
     auto coordinate = [&] { return random.get_int(0, size + 1); };
-    image = make_image(random.get_int(1, 7), random.get_int(1, 7), [&](std::size_t, std::size_t)
-    {
+    image = make_image(random.get_int(1, 7), random.get_int(1, 7), [&](std::size_t, std::size_t) {
       const int x = coordinate(), y = coordinate();
       return Point(x, y, coordinate());
     });

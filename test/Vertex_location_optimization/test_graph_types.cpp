@@ -46,8 +46,7 @@ Soup torus(std::size_t columns, std::size_t rows, double turn)
   for(auto& triangle : soup.triangles)
     for(std::size_t& i : triangle)
       i %= columns * rows;
-  return transformed(soup, [&](const Point& p)
-  {
+  return transformed(soup, [&](const Point& p) {
     const double a = 2 * CGAL_PI * p.x() / columns + turn, b = 2 * CGAL_PI * p.y() / rows + 2 * turn, r = 5 + std::cos(b);
     return Point(r * std::cos(a), r * std::sin(a), std::sin(b));
   });
@@ -101,7 +100,8 @@ int main()
   CHECK_AT_MOST(largest_distance(optimized(make_mesh(remesh), of_floats), expected), 1e-4);
   const PMP::Flat_triangle_surface<Polyhedron> flat(make_mesh<Polyhedron>(input));
   CHECK_AT_MOST(largest_distance(optimized(make_mesh(remesh), flat),
-                                 optimized(make_mesh(remesh), PMP::Flat_triangle_surface<Mesh>(make_mesh(input)))), 1e-10);
+                                 optimized(make_mesh(remesh), PMP::Flat_triangle_surface<Mesh>(make_mesh(input)))),
+                1e-10);
 
   start_topic("Exact points that do not move stay exact");
   Surface_mesh_of_exact_numbers exact = make_mesh<Surface_mesh_of_exact_numbers>(remesh);
@@ -120,8 +120,7 @@ int main()
   auto is_constrained = exact.add_property_map<Surface_mesh_of_exact_numbers::Vertex_index, bool>("c", false).first;
   is_constrained[v] = true;
   int asked = 0;
-  const auto evaluate = [&](Surface_mesh_of_exact_numbers::Vertex_index w, const Exact_point&, const Exact_point&)
-  {
+  const auto evaluate = [&](Surface_mesh_of_exact_numbers::Vertex_index w, const Exact_point&, const Exact_point&) {
     CGAL::exact(exact.point(v));
     asked += w == v;
     return true;

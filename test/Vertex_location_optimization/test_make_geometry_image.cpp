@@ -40,8 +40,7 @@ Image check_image(const Mesh& mesh, std::size_t width, std::size_t height)
 
   const double rounding = 1e-9 * longest_side(mesh);
   const Distance_to_mesh surface(mesh);
-  auto distance_to_border = [&](const Point& p)
-  {
+  auto distance_to_border = [&](const Point& p) {
     double smallest = HUGE_VAL;
     for(Mesh::Edge_index e : mesh.edges())
       if(mesh.is_border(e))
@@ -100,10 +99,8 @@ Mesh joined(Mesh a, const Mesh& b)
 int main()
 {
   start_topic("A square gives itself");
-  const Mesh square = make_mesh(transformed(triangle_grid(8, 8, false, 0), [](const Point& p)
-  {
-    return Point(p.x() / 8, p.y() / 8, 2);
-  }));
+  const Mesh square =
+    make_mesh(transformed(triangle_grid(8, 8, false, 0), [](const Point& p) { return Point(p.x() / 8, p.y() / 8, 2); }));
   Image image = check_image(square, 9, 5);
   for(std::size_t i = 0; i < 5; ++i)
     for(std::size_t j = 0; j < 9; ++j)

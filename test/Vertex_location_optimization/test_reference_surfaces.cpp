@@ -230,10 +230,8 @@ void check_walks(const Mesh& mesh, const PN_surface& surface, int stride, const 
 void test_watertight()
 {
   start_topic("Both sides of a crease share its curve");
-  auto is_sharp = [](const Mesh& mesh)
-  {
-    return [&mesh](Mesh::Edge_index e)
-    {
+  auto is_sharp = [](const Mesh& mesh) {
+    return [&mesh](Mesh::Edge_index e) {
       const Vector m = area_vector(corners(mesh, mesh.face(mesh.halfedge(e, 0))));
       const Vector n = area_vector(corners(mesh, mesh.face(mesh.halfedge(e, 1))));
       return unit(m) * unit(n) < std::sqrt(0.5);

@@ -69,9 +69,9 @@ inline void measure_ratios(std::ofstream& csv, const Mesh& reference, double edg
   baselines.add_row("(c) sparse least-squares fit", { n, m, base.sparse_fit });
 
   std::vector<Phase_timer> timers;
-  Table table(csv, "ratios: the whole call, the reference apart",
-              { "iterations", "seconds", "/ (a)", "/ (b)", "/ (c)", "sample", "place", "relax", "correct", "guarantee",
-                "apart" });
+  Table table(
+    csv, "ratios: the whole call, the reference apart",
+    { "iterations", "seconds", "/ (a)", "/ (b)", "/ (c)", "sample", "place", "relax", "correct", "guarantee", "apart" });
   for(PMP::Placement_method method : placement_methods)
   {
     const double seconds = time_of_optimization(mesh, surface, method);
@@ -95,8 +95,8 @@ inline void compare_with_remeshing(std::ofstream& csv, const Mesh& input, double
   for(PMP::Placement_method method : placement_methods)
   {
     Mesh copy = mesh;
-    const double seconds = thread_time_of(
-        [&] { PMP::optimize_vertex_locations(copy, input, CGAL::parameters::placement_method(method)); });
+    const double seconds =
+      thread_time_of([&] { PMP::optimize_vertex_locations(copy, input, CGAL::parameters::placement_method(method)); });
     table.add_row(name_of(method), { double(mesh.number_of_vertices()), remeshing, seconds, seconds / remeshing });
   }
 }

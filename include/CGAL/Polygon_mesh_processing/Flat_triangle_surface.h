@@ -38,12 +38,14 @@ namespace Polygon_mesh_processing {
 template <typename TriangleMesh, typename GeomTraits = Default>
 class Flat_triangle_surface
 #ifndef DOXYGEN_RUNNING
-  : public internal::vertex_location::Patch_surface<internal::vertex_location::Flat_triangle,
+  : public internal::vertex_location::Patch_surface<
+      internal::vertex_location::Flat_triangle,
       internal::vertex_location::Geom_traits_or_kernel_of<TriangleMesh, GeomTraits>>
 #endif
 {
-  using Base = internal::vertex_location::Patch_surface<internal::vertex_location::Flat_triangle,
-    internal::vertex_location::Geom_traits_or_kernel_of<TriangleMesh, GeomTraits>>;
+  using Base =
+    internal::vertex_location::Patch_surface<internal::vertex_location::Flat_triangle,
+                                             internal::vertex_location::Geom_traits_or_kernel_of<TriangleMesh, GeomTraits>>;
 
 public:
   /*!

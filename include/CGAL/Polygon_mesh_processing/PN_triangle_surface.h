@@ -43,12 +43,14 @@ namespace Polygon_mesh_processing {
 template <typename TriangleMesh, typename GeomTraits = Default>
 class PN_triangle_surface
 #ifndef DOXYGEN_RUNNING
-  : public internal::vertex_location::Patch_surface<internal::vertex_location::PN_triangle,
+  : public internal::vertex_location::Patch_surface<
+      internal::vertex_location::PN_triangle,
       internal::vertex_location::Geom_traits_or_kernel_of<TriangleMesh, GeomTraits>>
 #endif
 {
-  using Base = internal::vertex_location::Patch_surface<internal::vertex_location::PN_triangle,
-    internal::vertex_location::Geom_traits_or_kernel_of<TriangleMesh, GeomTraits>>;
+  using Base =
+    internal::vertex_location::Patch_surface<internal::vertex_location::PN_triangle,
+                                             internal::vertex_location::Geom_traits_or_kernel_of<TriangleMesh, GeomTraits>>;
 
 public:
   /*!

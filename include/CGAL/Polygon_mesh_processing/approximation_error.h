@@ -152,11 +152,10 @@ Approximation_error approximation_error(const TriangleMesh& tmesh,
   const Approximation_error failure{ infinity, infinity, infinity };
   if(!read_mesh(tmesh, read_vertex_point_map(tmesh, np1), mesh, descriptors))
     return failure;
-  const std::size_t number_of_points = choose_parameter(get_parameter(np1, internal_np::number_of_points_per_face),
-                                                        default_number_of_points_per_face);
+  const std::size_t number_of_points =
+    choose_parameter(get_parameter(np1, internal_np::number_of_points_per_face), default_number_of_points_per_face);
 
-  return with_reference<ConcurrencyTag>(mesh, reference, np2, failure, [&](const auto& surface) -> Approximation_error
-  {
+  return with_reference<ConcurrencyTag>(mesh, reference, np2, failure, [&](const auto& surface) -> Approximation_error {
     const auto vertex_feet = project_vertices<ConcurrencyTag>(mesh, surface);
     const auto face_errors = measure_faces<ConcurrencyTag>(mesh, surface, vertex_feet, number_of_points);
 
@@ -229,7 +228,8 @@ template <typename ConcurrencyTag = Sequential_tag,
           typename NamedParameters1 = parameters::Default_named_parameters,
           typename NamedParameters2 = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING
-          , std::enable_if_t<!internal::Is_named_parameters<NormalMap>::value, int> = 0
+          ,
+          std::enable_if_t<!internal::Is_named_parameters<NormalMap>::value, int> = 0
 #endif
           >
 double normal_deviation(const TriangleMesh& tmesh,
@@ -239,8 +239,7 @@ double normal_deviation(const TriangleMesh& tmesh,
                         const NamedParameters2& np2 = parameters::default_values())
 {
   using namespace internal::vertex_location;
-  return measure_normals<ConcurrencyTag>(tmesh, reference, np1, np2, [&](const auto& mesh, const auto& descriptors)
-  {
+  return measure_normals<ConcurrencyTag>(tmesh, reference, np1, np2, [&](const auto& mesh, const auto& descriptors) {
     return read_corner_normals(tmesh, mesh, descriptors, normal_map);
   });
 }
@@ -258,7 +257,8 @@ template <typename ConcurrencyTag = Sequential_tag,
           typename NamedParameters1 = parameters::Default_named_parameters,
           typename NamedParameters2 = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING
-          , std::enable_if_t<internal::Is_named_parameters<NamedParameters1>::value, int> = 0
+          ,
+          std::enable_if_t<internal::Is_named_parameters<NamedParameters1>::value, int> = 0
 #endif
           >
 double normal_deviation(const TriangleMesh& tmesh,
@@ -267,10 +267,8 @@ double normal_deviation(const TriangleMesh& tmesh,
                         const NamedParameters2& np2 = parameters::default_values())
 {
   using namespace internal::vertex_location;
-  return measure_normals<ConcurrencyTag>(tmesh, reference, np1, np2, [](const auto& mesh, const auto&)
-  {
-    return face_normals_at_corners<ConcurrencyTag>(mesh);
-  });
+  return measure_normals<ConcurrencyTag>(
+    tmesh, reference, np1, np2, [](const auto& mesh, const auto&) { return face_normals_at_corners<ConcurrencyTag>(mesh); });
 }
 
 } // namespace Polygon_mesh_processing

@@ -64,11 +64,10 @@ template <typename ConcurrencyTag = Sequential_tag,
           typename Reference,
           typename NamedParameters1 = parameters::Default_named_parameters,
           typename NamedParameters2 = parameters::Default_named_parameters>
-Vertex_location_optimization_report
-optimize_geometry_image(Geometry_image<Point_3>& image,
-                        const Reference& reference,
-                        const NamedParameters1& np1 = parameters::default_values(),
-                        const NamedParameters2& np2 = parameters::default_values())
+Vertex_location_optimization_report optimize_geometry_image(Geometry_image<Point_3>& image,
+                                                            const Reference& reference,
+                                                            const NamedParameters1& np1 = parameters::default_values(),
+                                                            const NamedParameters2& np2 = parameters::default_values())
 {
   using namespace CGAL::internal::geometry_image;
   using Mesh = Surface_mesh<Point_3>;

@@ -193,11 +193,10 @@ template <typename ConcurrencyTag = Sequential_tag,
           typename Reference,
           typename NamedParameters1 = parameters::Default_named_parameters,
           typename NamedParameters2 = parameters::Default_named_parameters>
-Vertex_location_optimization_report
-optimize_vertex_locations(TriangleMesh& tmesh,
-                          const Reference& reference,
-                          const NamedParameters1& np1 = parameters::default_values(),
-                          const NamedParameters2& np2 = parameters::default_values())
+Vertex_location_optimization_report optimize_vertex_locations(TriangleMesh& tmesh,
+                                                              const Reference& reference,
+                                                              const NamedParameters1& np1 = parameters::default_values(),
+                                                              const NamedParameters2& np2 = parameters::default_values())
 {
   using namespace internal::vertex_location;
   using parameters::choose_parameter;
@@ -220,22 +219,20 @@ optimize_vertex_locations(TriangleMesh& tmesh,
   Remesh remesh(std::move(mesh), std::move(constraints));
 
   auto is_allowed = choose_parameter(get_parameter(np1, internal_np::allow_move_functor), Allow_all_moves());
-  const auto allow_move = [&](std::size_t i, const Point& source, const Point& target)
-  {
+  const auto allow_move = [&](std::size_t i, const Point& source, const Point& target) {
     return is_allowed(descriptors.vertices[i], convert<Point_3>(source), convert<Point_3>(target));
   };
   const Self_intersection_test<ConcurrencyTag, TriangleMesh> find_self_intersections(tmesh, descriptors,
                                                                                      options.do_self_intersection_tests);
-  auto visitor_or_reference = choose_parameter(get_parameter(np1, internal_np::visitor),
-                                               Vertex_location_optimization_default_visitor());
+  auto visitor_or_reference =
+    choose_parameter(get_parameter(np1, internal_np::visitor), Vertex_location_optimization_default_visitor());
   auto& visitor = unwrap_reference(visitor_or_reference);
 
-  const auto report = with_reference<ConcurrencyTag>(remesh, reference, np2, Vertex_location_optimization_report(),
-                                                     [&](const auto& surface)
-  {
-    return optimize<ConcurrencyTag>(surface, options, allow_move, find_self_intersections, visitor,
-                                    make_placement<ConcurrencyTag>(surface, remesh, options), remesh);
-  });
+  const auto report =
+    with_reference<ConcurrencyTag>(remesh, reference, np2, Vertex_location_optimization_report(), [&](const auto& surface) {
+      return optimize<ConcurrencyTag>(surface, options, allow_move, find_self_intersections, visitor,
+                                      make_placement<ConcurrencyTag>(surface, remesh, options), remesh);
+    });
 
   for(std::size_t i = 0; i < remesh.points.size(); ++i)
     if(remesh.points[i] != remesh.initial_points[i])

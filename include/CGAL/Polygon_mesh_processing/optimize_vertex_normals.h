@@ -108,8 +108,7 @@ void optimize_vertex_normals(const TriangleMesh& tmesh,
     return;
   const std::vector<char> is_crease = find_constrained_edges(mesh, descriptors, np1);
 
-  with_reference<ConcurrencyTag>(mesh, reference, np2, false, [&](const auto& surface)
-  {
+  with_reference<ConcurrencyTag>(mesh, reference, np2, false, [&](const auto& surface) {
     const auto samples = sample_normals<ConcurrencyTag>(mesh, surface, is_crease);
     const auto corner_normals = fit_normals<ConcurrencyTag>(mesh, samples, is_crease);
     if constexpr(Is_corner_map<TriangleMesh, NormalMap>::value)

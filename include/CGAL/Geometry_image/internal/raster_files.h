@@ -25,7 +25,11 @@
 namespace CGAL::internal::geometry_image {
 
 // The files that geometry images are stored in. Whatever is wrong with one is told by a std::runtime_error.
-enum class Raster_format { GIM, PFM };
+enum class Raster_format
+{
+  GIM,
+  PFM
+};
 
 struct Raster
 {
@@ -108,8 +112,8 @@ inline void reverse_rows(Raster& raster)
 inline Raster read_raster(std::istream& is, Raster_format format)
 {
   Raster raster;
-  const bool is_little_endian = format == Raster_format::GIM ? read_header_of_GIM(is, raster)
-                                                             : read_header_of_PFM(is, raster);
+  const bool is_little_endian =
+    format == Raster_format::GIM ? read_header_of_GIM(is, raster) : read_header_of_PFM(is, raster);
   check_size(raster);
   read_samples(is, is_little_endian, raster);
   if(format == Raster_format::PFM)

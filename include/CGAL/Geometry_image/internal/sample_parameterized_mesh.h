@@ -27,8 +27,7 @@ using Double_mesh = Surface_mesh<Double_kernel::Point_3>;
 inline std::array<double, 3> barycentric_coordinates(const std::array<Double_kernel::Point_2, 3>& t,
                                                      const Double_kernel::Point_2& p)
 {
-  auto twice_area = [](const auto& a, const auto& b, const auto& c)
-  {
+  auto twice_area = [](const auto& a, const auto& b, const auto& c) {
     return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
   };
   const double area = twice_area(t[0], t[1], t[2]);
@@ -75,8 +74,8 @@ bool sample_parameterized_mesh(const Double_mesh& mesh, const UVMap& uvmap, Geom
         for(double& x : lambda)
           x = (std::max)(0., x);
         const double sum = lambda[0] + lambda[1] + lambda[2];
-        const Double_point p = points[0] + (lambda[1] / sum * (points[1] - points[0]) +
-                                            lambda[2] / sum * (points[2] - points[0]));
+        const Double_point p =
+          points[0] + (lambda[1] / sum * (points[1] - points[0]) + lambda[2] / sum * (points[2] - points[0]));
         image(i, j) = Polygon_mesh_processing::internal::vertex_location::convert<Point_3>(p);
       }
   }

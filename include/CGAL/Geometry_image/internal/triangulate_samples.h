@@ -44,8 +44,7 @@ struct Triangulated_samples
 template <typename Point_3>
 bool has_finite_samples(const Geometry_image<Point_3>& image)
 {
-  return std::all_of(image.begin(), image.end(), [](const Point_3& p)
-  {
+  return std::all_of(image.begin(), image.end(), [](const Point_3& p) {
     namespace VLO = Polygon_mesh_processing::internal::vertex_location;
     return VLO::is_finite(VLO::convert<VLO::Point>(p));
   });
@@ -99,8 +98,8 @@ std::vector<Triangle> split_quads(const Geometry_image<Point_3>& image, const st
     {
       const std::size_t s = i * width + j;
       const std::array<std::size_t, 4> quad{ first[s], first[s + 1], first[s + width + 1], first[s + width] };
-      bool from_a_to_c = squared_distance(image(i, j), image(i + 1, j + 1)) <=
-                         squared_distance(image(i, j + 1), image(i + 1, j));
+      bool from_a_to_c =
+        squared_distance(image(i, j), image(i + 1, j + 1)) <= squared_distance(image(i, j + 1), image(i + 1, j));
 
       const bool is_border = i == 0 || j == 0 || i + 2 == height || j + 2 == width;
       if(is_border)
@@ -173,8 +172,7 @@ void add_to_mesh(const Triangulated_samples& samples,
   using Vertex_point_map = typename GetVertexPointMap<TriangleMesh, NamedParameters>::type;
   using Mesh_point = typename boost::property_traits<Vertex_point_map>::value_type;
 
-  const auto point_of_sample = [&](std::size_t s)
-  {
+  const auto point_of_sample = [&](std::size_t s) {
     return PMP::internal::vertex_location::convert<Mesh_point>(image(s / image.width(), s % image.width()));
   };
   PMP::polygon_soup_to_polygon_mesh(

@@ -42,7 +42,10 @@ struct Remesh : Mesh_arrays
 
   // calls f(c) for each corner c at vertex i
   template <typename F>
-  void for_each_corner(std::size_t i, const F& f) const { corners_of_vertices.for_each(i, f); }
+  void for_each_corner(std::size_t i, const F& f) const
+  {
+    corners_of_vertices.for_each(i, f);
+  }
 
   bool is_free(std::size_t i) const { return constraints.kinds[i] == Vertex_kind::FREE; }
 

@@ -25,11 +25,7 @@ namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 // Algorithm 1: moves the vertices of the remesh to where its faces approximate the reference best, and makes sure that it is
 // no worse than before. `AllowMove` is a functor (i, source, target) -> bool, `FindSelfIntersections` is a
 // `Self_intersection_test`.
-template <typename ConcurrencyTag,
-          typename Reference,
-          typename AllowMove,
-          typename FindSelfIntersections,
-          typename Visitor>
+template <typename ConcurrencyTag, typename Reference, typename AllowMove, typename FindSelfIntersections, typename Visitor>
 class Vertex_location_optimizer
 {
   using Phase = Vertex_location_optimization_phase;
@@ -90,8 +86,8 @@ private:
     if(m_report.iterations == 0)
     {
       Initial_measure measure = placement.start();
-      m_initial_quality = measure_initial_quality<ConcurrencyTag>(m_reference, m_remesh, placement.samples(),
-                                                                  std::move(measure));
+      m_initial_quality =
+        measure_initial_quality<ConcurrencyTag>(m_reference, m_remesh, placement.samples(), std::move(measure));
     }
     else
       placement.resample(iteration());
@@ -131,8 +127,7 @@ private:
   // where coordinates are so large that their products overflow
   void keep_points_finite()
   {
-    for_each_index<ConcurrencyTag>(m_remesh.points.size(), [&](std::size_t i)
-    {
+    for_each_index<ConcurrencyTag>(m_remesh.points.size(), [&](std::size_t i) {
       if(!is_finite(m_remesh.next_points[i]))
         m_remesh.next_points[i] = m_remesh.points[i];
     });
@@ -182,11 +177,7 @@ private:
 };
 
 // `remesh.points` are the result.
-template <typename ConcurrencyTag,
-          typename Reference,
-          typename AllowMove,
-          typename FindSelfIntersections,
-          typename Visitor>
+template <typename ConcurrencyTag, typename Reference, typename AllowMove, typename FindSelfIntersections, typename Visitor>
 Vertex_location_optimization_report optimize(const Reference& reference,
                                              const Optimization_options& options,
                                              const AllowMove& allow_move,

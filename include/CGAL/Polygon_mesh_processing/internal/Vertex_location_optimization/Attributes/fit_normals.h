@@ -24,18 +24,14 @@ inline Vector unit_normal_or(const Vector& n, const Vector& otherwise)
 // Section 3.4: the unit normals at the corners of the faces whose linear interpolation is closest to the samples, by
 // equations (1) and (2) over the sector of each corner. All corners of a sector have the same normal.
 template <typename ConcurrencyTag>
-std::vector<Vector> fit_normals(const Mesh_arrays& mesh,
-                                const Normal_samples& samples,
-                                const std::vector<char>& is_crease)
+std::vector<Vector> fit_normals(const Mesh_arrays& mesh, const Normal_samples& samples, const std::vector<char>& is_crease)
 {
   const Sectors sectors(mesh, is_crease);
 
   std::vector<Vector> normals(3 * mesh.number_of_faces());
-  for_each_index<ConcurrencyTag>(normals.size(), [&](std::size_t i)
-  {
+  for_each_index<ConcurrencyTag>(normals.size(), [&](std::size_t i) {
     Vector sum = NULL_VECTOR, sample = NULL_VECTOR;
-    sectors.for_each_corner(static_cast<Index>(i), [&](Index c)
-    {
+    sectors.for_each_corner(static_cast<Index>(i), [&](Index c) {
       const Index first = c - c % 3;
       const auto n = [&](Index k) -> const Vector& { return samples.at_corners[first + k]; };
       const auto m = [&](Index k) -> const Vector& { return samples.at_midpoints[first + k]; };

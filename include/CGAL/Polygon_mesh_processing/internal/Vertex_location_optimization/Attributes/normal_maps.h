@@ -15,9 +15,8 @@ namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
 // Whether the normals of a map are those of the corners of the faces, not those of the vertices.
 template <typename TriangleMesh, typename NormalMap>
-struct Is_corner_map
-  : std::is_same<typename boost::property_traits<NormalMap>::key_type,
-                 typename boost::graph_traits<TriangleMesh>::halfedge_descriptor>
+struct Is_corner_map : std::is_same<typename boost::property_traits<NormalMap>::key_type,
+                                    typename boost::graph_traits<TriangleMesh>::halfedge_descriptor>
 {};
 
 // Calls f(c, h) for each corner c of the mesh, where h is the halfedge in its face that points to it.
@@ -39,10 +38,8 @@ std::vector<Vector> read_corner_normals(const TriangleMesh& tmesh,
 {
   std::vector<Vector> normals(3 * mesh.number_of_faces());
   if constexpr(Is_corner_map<TriangleMesh, NormalMap>::value)
-    for_each_corner_halfedge(tmesh, descriptors, [&](std::size_t c, auto h)
-    {
-      normals[c] = convert<Vector>(get(normal_map, h));
-    });
+    for_each_corner_halfedge(tmesh, descriptors,
+                             [&](std::size_t c, auto h) { normals[c] = convert<Vector>(get(normal_map, h)); });
   else
     for(std::size_t c = 0; c < normals.size(); ++c)
       normals[c] = convert<Vector>(get(normal_map, descriptors.vertices[mesh.vertex(static_cast<Index>(c))]));
@@ -66,10 +63,8 @@ void write_corner_normals(const TriangleMesh& tmesh,
                           NormalMap& normal_map)
 {
   using Normal = typename boost::property_traits<NormalMap>::value_type;
-  for_each_corner_halfedge(tmesh, descriptors, [&](std::size_t c, auto h)
-  {
-    put(normal_map, h, convert<Normal>(normals[c]));
-  });
+  for_each_corner_halfedge(tmesh, descriptors,
+                           [&](std::size_t c, auto h) { put(normal_map, h, convert<Normal>(normals[c])); });
 }
 
 } // namespace CGAL::Polygon_mesh_processing::internal::vertex_location

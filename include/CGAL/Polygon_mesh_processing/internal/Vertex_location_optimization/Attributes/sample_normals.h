@@ -48,31 +48,27 @@ public:
     Normal_samples samples;
     samples.at_vertices.resize(m_mesh.points.size());
     std::vector<Foot> feet(m_mesh.points.size());
-    for_each_index<ConcurrencyTag>(m_mesh.points.size(), [&](std::size_t i)
-    {
+    for_each_index<ConcurrencyTag>(m_mesh.points.size(), [&](std::size_t i) {
       feet[i] = m_reference.project(m_mesh.points[i]);
       samples.at_vertices[i] = normal(feet[i]);
     });
 
     std::vector<Vector> at_edges(m_mesh.edges.size());
-    for_each_index<ConcurrencyTag>(m_mesh.edges.size(), [&](std::size_t e)
-    {
+    for_each_index<ConcurrencyTag>(m_mesh.edges.size(), [&](std::size_t e) {
       if(!m_is_crease[e])
         at_edges[e] = normal_at(m_mesh.midpoint(e), feet[m_mesh.edges[e][0]]);
     });
 
     samples.at_corners.resize(3 * m_mesh.number_of_faces());
     samples.at_midpoints.resize(3 * m_mesh.number_of_faces());
-    for_each_index<ConcurrencyTag>(samples.at_corners.size(), [&](std::size_t c)
-    {
+    for_each_index<ConcurrencyTag>(samples.at_corners.size(), [&](std::size_t c) {
       const Index corner = static_cast<Index>(c), i = m_mesh.vertex(corner), e = m_mesh.opposite_edge(corner);
       samples.at_corners[c] = m_on_crease[i]
-                            ? normal_on_side(c / 3, m_mesh.points[i], feet[i], normals_beyond_sector(corner))
-                            : samples.at_vertices[i];
-      samples.at_midpoints[c] = m_is_crease[e]
-                              ? normal_on_side(c / 3, m_mesh.midpoint(e), feet[m_mesh.edges[e][0]],
-                                               { normal_beyond(c / 3, e) })
-                              : at_edges[e];
+                                ? normal_on_side(c / 3, m_mesh.points[i], feet[i], normals_beyond_sector(corner))
+                                : samples.at_vertices[i];
+      samples.at_midpoints[c] =
+        m_is_crease[e] ? normal_on_side(c / 3, m_mesh.midpoint(e), feet[m_mesh.edges[e][0]], { normal_beyond(c / 3, e) })
+                       : at_edges[e];
     });
     return samples;
   }
@@ -80,21 +76,15 @@ public:
 private:
   Vector normal(const Foot& foot) const { return normalized(m_reference.normal(foot)); }
 
-  Vector normal_at(const Point& p, const Foot& hint) const
-  {
-    return normal(m_reference.project(p, hint));
-  }
+  Vector normal_at(const Point& p, const Foot& hint) const { return normal(m_reference.project(p, hint)); }
 
   // The normal near `p`, a point of the face f on a crease, on the side of the face: as near as the reference has a normal
   // that is closer to that of the face than to those beyond the crease.
   Vector normal_on_side(std::size_t f, const Point& p, const Foot& hint, const std::vector<Vector>& beyond) const
   {
-    auto is_on_side = [&](const Vector& n)
-    {
-      return n != NULL_VECTOR && std::none_of(beyond.begin(), beyond.end(), [&](const Vector& other)
-      {
-        return n * m_face_normals[f] < n * other;
-      });
+    auto is_on_side = [&](const Vector& n) {
+      return n != NULL_VECTOR && std::none_of(beyond.begin(), beyond.end(),
+                                              [&](const Vector& other) { return n * m_face_normals[f] < n * other; });
     };
 
     const Vector at_p = normal_at(p, hint);
@@ -123,8 +113,7 @@ private:
   std::vector<Vector> normals_beyond_sector(Index corner) const
   {
     std::vector<Vector> normals;
-    m_sectors.for_each_corner(corner, [&](Index c)
-    {
+    m_sectors.for_each_corner(corner, [&](Index c) {
       for(Index e : { m_mesh.opposite_edge(Mesh_arrays::next(c)), m_mesh.opposite_edge(Mesh_arrays::previous(c)) })
         if(m_is_crease[e])
           normals.push_back(normal_beyond(c / 3, e));
@@ -141,9 +130,7 @@ private:
 };
 
 template <typename ConcurrencyTag, typename Reference>
-Normal_samples sample_normals(const Mesh_arrays& mesh,
-                              const Reference& reference,
-                              const std::vector<char>& is_crease)
+Normal_samples sample_normals(const Mesh_arrays& mesh, const Reference& reference, const std::vector<char>& is_crease)
 {
   return Normal_sampler<Reference>(mesh, reference, is_crease).template sample<ConcurrencyTag>();
 }

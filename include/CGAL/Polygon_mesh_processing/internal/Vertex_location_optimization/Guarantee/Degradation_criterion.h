@@ -43,7 +43,10 @@ public:
 
   // measures the next points
   template <typename ConcurrencyTag>
-  void measure() { m_distances.template measure<ConcurrencyTag>(); }
+  void measure()
+  {
+    m_distances.template measure<ConcurrencyTag>();
+  }
 
   // measures again what has changed with the next point of vertex i
   void update(Index i) { m_distances.update(i); }
@@ -52,11 +55,9 @@ public:
   {
     constexpr double margin = 0.98; // for what lies between the samples
     const double limit = margin * m_initial.maximum;
-    return has_moved(f) &&
-           (m_flips.is_violated_by(f) ||
-            m_distances.orientation(f) > m_initial.orientations[f] ||
-            (is_strict() && m_distances.integral(f) > m_initial_integrals[f]) ||
-            (!(m_distances.maximum(f, limit) <= limit) && m_distances.exceeds_initial_maximum(f)));
+    return has_moved(f) && (m_flips.is_violated_by(f) || m_distances.orientation(f) > m_initial.orientations[f] ||
+                            (is_strict() && m_distances.integral(f) > m_initial_integrals[f]) ||
+                            (!(m_distances.maximum(f, limit) <= limit) && m_distances.exceeds_initial_maximum(f)));
   }
 
   // whether the mean error is clearly below that of the initial remesh
@@ -71,10 +72,8 @@ public:
   void make_strict()
   {
     m_initial_integrals.resize(m_remesh.number_of_faces());
-    for_each_index<ConcurrencyTag>(m_initial_integrals.size(), [&](std::size_t f)
-    {
-      m_initial_integrals[f] = m_distances.initial_integral(f);
-    });
+    for_each_index<ConcurrencyTag>(m_initial_integrals.size(),
+                                   [&](std::size_t f) { m_initial_integrals[f] = m_distances.initial_integral(f); });
     m_is_strict = true;
   }
 

@@ -54,8 +54,8 @@ public:
     for(int i = 0; i < number_of_halvings; ++i, step /= 2)
     {
       const Result center = best;
-      for(const auto& [u, v] : { std::pair(1, 0), std::pair(0, 1), std::pair(-1, 1),
-                                 std::pair(-1, 0), std::pair(0, -1), std::pair(1, -1) })
+      for(const auto& [u, v] :
+          { std::pair(1, 0), std::pair(0, 1), std::pair(-1, 1), std::pair(-1, 0), std::pair(0, -1), std::pair(1, -1) })
       {
         const Coordinates x{ center.coordinates.u + step * u, center.coordinates.v + step * v };
         if(x.u < 0 || x.v < 0 || x.u + x.v > 1)

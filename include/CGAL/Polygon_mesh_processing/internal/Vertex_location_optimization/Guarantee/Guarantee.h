@@ -34,18 +34,16 @@ Initial_quality measure_initial_quality(const Reference& reference,
   const auto sampled_maximum = [&](std::size_t f) { return measure.distances.maximum(remesh, f); };
   const auto all = boost::irange<std::size_t>(0, remesh.number_of_faces());
   std::array<std::size_t, max_faces> faces; // with the largest samples
-  const auto end = std::partial_sort_copy(all.begin(), all.end(), faces.begin(), faces.end(),
-                                          [&](std::size_t f, std::size_t g)
-  {
-    return sampled_maximum(f) > sampled_maximum(g);
-  });
+  const auto end =
+    std::partial_sort_copy(all.begin(), all.end(), faces.begin(), faces.end(),
+                           [&](std::size_t f, std::size_t g) { return sampled_maximum(f) > sampled_maximum(g); });
 
   Initial_quality quality;
   quality.mean = mean_distance<ConcurrencyTag>(remesh, remesh.points, measure.distances);
   for(auto f = faces.begin(); f != end && sampled_maximum(*f) > close * quality.maximum; ++f)
   {
-    const auto farthest = Farthest_point<Reference>(reference).of_lattice(remesh.triangle(*f),
-                                                                          samples.vertices.hint(remesh.first_vertex(*f)));
+    const auto farthest =
+      Farthest_point<Reference>(reference).of_lattice(remesh.triangle(*f), samples.vertices.hint(remesh.first_vertex(*f)));
     quality.maximum = (std::max)(quality.maximum, farthest.distance);
   }
   quality.orientations = std::move(measure.orientations);

@@ -31,9 +31,7 @@ public:
   using Face_pair = std::pair<Index, Index>;
 
   // If not `is_enabled`, none are found.
-  Self_intersection_test(const TriangleMesh& tmesh,
-                         const Mesh_descriptors<TriangleMesh>& descriptors,
-                         const bool is_enabled)
+  Self_intersection_test(const TriangleMesh& tmesh, const Mesh_descriptors<TriangleMesh>& descriptors, const bool is_enabled)
     : m_tmesh(tmesh), m_descriptors(descriptors), m_is_enabled(is_enabled)
   {}
 

@@ -46,26 +46,21 @@ public:
   {
     constexpr double negligible = 1e-3; // relative to the mean edge length; it saves the search where the run has converged
     const double limit2 = square(negligible * m_remesh.mean_edge_length);
-    const auto move = [&](Samples& samples, std::size_t k, const Point& from, const Point& to)
-    {
+    const auto move = [&](Samples& samples, std::size_t k, const Point& from, const Point& to) {
       if(!(squared_distance(from, to) <= limit2))
         return walk(samples, k, to);
       samples.offsets[k] = samples.offsets[k] - (to - from);
       return norm(samples.offsets[k]);
     };
 
-    for_each_element<ConcurrencyTag>(m_remesh,
-      [&](std::size_t i)
-      {
-        m_distances.at_vertices[i] = move(m_vertices, i, m_points[i], m_remesh.next_points[i]);
+    for_each_element<ConcurrencyTag>(
+      m_remesh,
+      [&](std::size_t i) { m_distances.at_vertices[i] = move(m_vertices, i, m_points[i], m_remesh.next_points[i]); },
+      [&](std::size_t e) {
+        m_distances.at_midpoints[e] =
+          move(m_midpoints, e, m_remesh.midpoint(e, m_points), m_remesh.midpoint(e, m_remesh.next_points));
       },
-      [&](std::size_t e)
-      {
-        m_distances.at_midpoints[e] = move(m_midpoints, e, m_remesh.midpoint(e, m_points),
-                                           m_remesh.midpoint(e, m_remesh.next_points));
-      },
-      [&](std::size_t f)
-      {
+      [&](std::size_t f) {
         constexpr std::size_t ahead = 8;
         if(f + ahead < m_remesh.number_of_faces())
           m_reference.prefetch(barycenter_hint(f + ahead));
@@ -79,8 +74,7 @@ public:
   {
     m_points[i] = m_remesh.next_points[i];
     m_distances.at_vertices[i] = walk(m_vertices, i, m_points[i]);
-    m_remesh.for_each_corner(i, [&](Index c)
-    {
+    m_remesh.for_each_corner(i, [&](Index c) {
       for(Index d : { Mesh_arrays::next(c), Mesh_arrays::previous(c) })
       {
         const Index e = m_remesh.opposite_edge(d);
@@ -91,13 +85,13 @@ public:
   }
 
   template <typename ConcurrencyTag>
-  double mean() const { return mean_distance<ConcurrencyTag>(m_remesh, m_remesh.next_points, m_distances); }
+  double mean() const
+  {
+    return mean_distance<ConcurrencyTag>(m_remesh, m_remesh.next_points, m_distances);
+  }
 
   // the integral over face f
-  double integral(std::size_t f) const
-  {
-    return m_remesh.area(f, m_remesh.next_points) * m_distances.mean(m_remesh, f);
-  }
+  double integral(std::size_t f) const { return m_remesh.area(f, m_remesh.next_points) * m_distances.mean(m_remesh, f); }
 
   // the same with the vertices at their initial points, at closest points
   double initial_integral(std::size_t f) const
@@ -154,9 +148,8 @@ public:
       return true;
     const auto result = farthest.by_climbing(t, hint(f));
     const double initial = farthest.by_climbing(initial_t, hint(f)).distance;
-    return result.distance > initial ||
-           (result.distance > margin * initial &&
-            point_at(t, result.coordinates) != point_at(initial_t, result.coordinates));
+    return result.distance > initial || (result.distance > margin * initial &&
+                                         point_at(t, result.coordinates) != point_at(initial_t, result.coordinates));
   }
 
 private:
@@ -182,8 +175,7 @@ private:
     const Point p = point_at(m_remesh.triangle(f, m_remesh.next_points), barycenter_coordinates);
     const Foot foot = m_reference.project_locally(p, barycenter_hint(f));
     set_barycenter(f, p, foot);
-    if(m_orientations[f] != Face_orientation::CONSISTENT ||
-       m_distances.at_barycenters[f] > far * m_remesh.mean_edge_length)
+    if(m_orientations[f] != Face_orientation::CONSISTENT || m_distances.at_barycenters[f] > far * m_remesh.mean_edge_length)
       set_barycenter(f, p, m_reference.project(p, foot));
   }
 

@@ -47,15 +47,10 @@ bool refuse_moves(Remesh& remesh, const std::vector<Point>& origins, const Allow
 // `criterion.is_violated_by(f)` says whether face f violates it, `criterion.update(i)` tells it that the next point of
 // vertex i has changed. A face whose vertices are all at their origins stays as it is.
 template <typename ConcurrencyTag, typename Criterion>
-void shorten_moves(Remesh& remesh,
-                   const std::vector<Point>& origins,
-                   Criterion& criterion,
-                   std::vector<bool>& is_corrected)
+void shorten_moves(Remesh& remesh, const std::vector<Point>& origins, Criterion& criterion, std::vector<bool>& is_corrected)
 {
-  const std::vector<Index> faces = find_indices<ConcurrencyTag>(remesh.number_of_faces(), [&](std::size_t f)
-  {
-    return criterion.is_violated_by(f);
-  });
+  const std::vector<Index> faces =
+    find_indices<ConcurrencyTag>(remesh.number_of_faces(), [&](std::size_t f) { return criterion.is_violated_by(f); });
   if(faces.empty())
     return;
 
@@ -64,14 +59,12 @@ void shorten_moves(Remesh& remesh,
     is_violator[f] = true;
   std::vector<unsigned char> number_of_corrections(remesh.points.size(), 0);
   std::set<std::pair<int, Index>> queue; // of pairs (n_i - C_i, i)
-  const auto number_of_violators = [&](Index i)
-  {
+  const auto number_of_violators = [&](Index i) {
     int number = 0;
     remesh.for_each_corner(i, [&](Index c) { number += is_violator[c / 3]; });
     return number;
   };
-  const auto enqueue = [&](Index i)
-  {
+  const auto enqueue = [&](Index i) {
     const int number = number_of_violators(i);
     if(number > 0 && remesh.next_points[i] != origins[i])
       queue.emplace(number_of_corrections[i] - number, i);

@@ -64,10 +64,8 @@ double mean_distance(const Mesh_arrays& mesh, const std::vector<Point>& points, 
 {
   const std::size_t n = mesh.number_of_faces();
   const double area = sum_over_indices<ConcurrencyTag, double>(n, [&](std::size_t f) { return mesh.area(f, points); });
-  const double integral = sum_over_indices<ConcurrencyTag, double>(n, [&](std::size_t f)
-  {
-    return mesh.area(f, points) * distances.mean(mesh, f);
-  });
+  const double integral = sum_over_indices<ConcurrencyTag, double>(
+    n, [&](std::size_t f) { return mesh.area(f, points) * distances.mean(mesh, f); });
   return area > 0 ? integral / area : 0;
 }
 

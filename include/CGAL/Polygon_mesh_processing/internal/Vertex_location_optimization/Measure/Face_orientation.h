@@ -26,10 +26,8 @@ template <typename Reference>
 Face_orientation orientation_at(const Reference& reference, const typename Reference::Foot& foot, const Vector& face_normal)
 {
   const auto feet = reference.feet_at(foot);
-  const auto opposed = static_cast<std::size_t>(std::count_if(feet.begin(), feet.end(), [&](const auto& other)
-  {
-    return face_normal * reference.normal(other) < 0;
-  }));
+  const auto opposed = static_cast<std::size_t>(
+    std::count_if(feet.begin(), feet.end(), [&](const auto& other) { return face_normal * reference.normal(other) < 0; }));
   return opposed == 0            ? Face_orientation::CONSISTENT
          : opposed < feet.size() ? Face_orientation::AMBIGUOUS
                                  : Face_orientation::REVERSED;

@@ -65,13 +65,11 @@ std::vector<Face_error> measure_faces(const Mesh_arrays& mesh,
                                       const std::size_t number_of_points)
 {
   std::vector<Face_error> faces(mesh.number_of_faces());
-  for_each_index<ConcurrencyTag>(faces.size(), [&](std::size_t f)
-  {
+  for_each_index<ConcurrencyTag>(faces.size(), [&](std::size_t f) {
     std::size_t count = 0;
     double sum = 0, sum_of_squares = 0, max = 0;
     const auto& hint = vertex_feet[mesh.first_vertex(f)];
-    project_samples(mesh.triangle(f), reference, number_of_points, hint, [&](const auto&, const Point& p, const auto& foot)
-    {
+    project_samples(mesh.triangle(f), reference, number_of_points, hint, [&](const auto&, const Point& p, const auto& foot) {
       const double distance = distance_to_foot(p, reference, foot);
       sum += distance;
       sum_of_squares += distance * distance;
@@ -99,8 +97,7 @@ std::vector<double> mean_around_vertices(const Mesh_arrays& mesh,
       sums[i] += faces[f];
 
   std::vector<double> means(mesh.points.size());
-  for_each_index<ConcurrencyTag>(means.size(), [&](std::size_t i)
-  {
+  for_each_index<ConcurrencyTag>(means.size(), [&](std::size_t i) {
     means[i] = sums[i].area > 0 ? sums[i].mean() : distance_to_foot(mesh.points[i], reference, vertex_feet[i]);
   });
   return means;

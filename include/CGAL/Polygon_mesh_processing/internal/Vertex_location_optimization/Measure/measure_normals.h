@@ -40,8 +40,7 @@ double measure_corner_normals(const Mesh_arrays& mesh,
                               const std::size_t number_of_points)
 {
   const auto vertex_feet = project_vertices<ConcurrencyTag>(mesh, reference);
-  const Angle_integral sum = sum_over_indices<ConcurrencyTag, Angle_integral>(mesh.number_of_faces(), [&](std::size_t f)
-  {
+  const Angle_integral sum = sum_over_indices<ConcurrencyTag, Angle_integral>(mesh.number_of_faces(), [&](std::size_t f) {
     const Vector& n = corner_normals[3 * f];
     const Vector to_n1 = corner_normals[3 * f + 1] - n, to_n2 = corner_normals[3 * f + 2] - n;
 
@@ -49,16 +48,15 @@ double measure_corner_normals(const Mesh_arrays& mesh,
     Angle_integral face;
     const auto& hint = vertex_feet[mesh.first_vertex(f)];
     project_samples(mesh.triangle(f), reference, number_of_points, hint,
-                    [&](const Coordinates& x, const auto&, const auto& foot)
-    {
-      ++count;
-      const Vector here = normalized(n + x.u * to_n1 + x.v * to_n2);
-      const Vector there = normalized(reference.normal(foot));
-      if(here == NULL_VECTOR || there == NULL_VECTOR)
-        return;
-      face.angle += std::atan2(norm(cross_product(here, there)), here * there);
-      face.area += 1;
-    });
+                    [&](const Coordinates& x, const auto&, const auto& foot) {
+                      ++count;
+                      const Vector here = normalized(n + x.u * to_n1 + x.v * to_n2);
+                      const Vector there = normalized(reference.normal(foot));
+                      if(here == NULL_VECTOR || there == NULL_VECTOR)
+                        return;
+                      face.angle += std::atan2(norm(cross_product(here, there)), here * there);
+                      face.area += 1;
+                    });
 
     const double area_of_sample = norm(mesh.area_normal(f)) / (2. * count);
     return Angle_integral{ area_of_sample * face.area, area_of_sample * face.angle };
@@ -99,10 +97,9 @@ double measure_normals(const TriangleMesh& tmesh,
   if(!read_mesh(tmesh, read_vertex_point_map(tmesh, np1), mesh, descriptors))
     return 180;
   const std::vector<Vector> corner_normals = make_corner_normals(mesh, descriptors);
-  const std::size_t number_of_points = choose_parameter(get_parameter(np1, internal_np::number_of_points_per_face),
-                                                        default_number_of_points_per_face);
-  return with_reference<ConcurrencyTag>(mesh, reference, np2, 180., [&](const auto& surface)
-  {
+  const std::size_t number_of_points =
+    choose_parameter(get_parameter(np1, internal_np::number_of_points_per_face), default_number_of_points_per_face);
+  return with_reference<ConcurrencyTag>(mesh, reference, np2, 180., [&](const auto& surface) {
     return measure_corner_normals<ConcurrencyTag>(mesh, corner_normals, surface, number_of_points);
   });
 }

@@ -29,10 +29,7 @@ template <typename ConcurrencyTag, typename Reference>
 std::vector<typename Reference::Foot> project_vertices(const Mesh_arrays& mesh, const Reference& reference)
 {
   std::vector<typename Reference::Foot> feet(mesh.points.size());
-  for_each_index<ConcurrencyTag>(feet.size(), [&](std::size_t i)
-  {
-    feet[i] = reference.project(mesh.points[i]);
-  });
+  for_each_index<ConcurrencyTag>(feet.size(), [&](std::size_t i) { feet[i] = reference.project(mesh.points[i]); });
   return feet;
 }
 
@@ -48,8 +45,7 @@ void project_samples(const std::array<Point, 3>& triangle,
 {
   const double root = std::sqrt(static_cast<double>(number_of_points));
   const std::size_t s = (std::max)(std::size_t(1), static_cast<std::size_t>(std::ceil(root)));
-  auto project_sample = [&](const Coordinates& x)
-  {
+  auto project_sample = [&](const Coordinates& x) {
     const Point p = point_at(triangle, x);
     hint = reference.project(p, hint);
     f(x, p, hint);

@@ -32,9 +32,9 @@ class Feature_placement
   struct Curve_vertex
   {
     Index vertex;
-    std::array<Index, 2> edges;     // in m_edges
+    std::array<Index, 2> edges; // in m_edges
     std::array<Index, 2> neighbors;
-    Vector tangent = NULL_VECTOR;   // of the reference's curve at the foot; null: the vertex has no foot
+    Vector tangent = NULL_VECTOR; // of the reference's curve at the foot; null: the vertex has no foot
   };
 
 public:
@@ -52,8 +52,7 @@ public:
   template <typename ConcurrencyTag, typename Samples>
   void resample(const Remesh& remesh, Samples& vertices, Samples& midpoints)
   {
-    for_each_index<ConcurrencyTag>(m_edges.size(), [&](std::size_t k)
-    {
+    for_each_index<ConcurrencyTag>(m_edges.size(), [&](std::size_t k) {
       Feature_edge& edge = m_edges[k];
       find_midpoint_foot(remesh, edge);
       if(edge.has_foot)
@@ -74,8 +73,7 @@ public:
   template <typename ConcurrencyTag>
   void place(Remesh& remesh, const bool across_curve)
   {
-    for_each_index<ConcurrencyTag>(m_curve_vertices.size(), [&](std::size_t k)
-    {
+    for_each_index<ConcurrencyTag>(m_curve_vertices.size(), [&](std::size_t k) {
       Curve_vertex& v = m_curve_vertices[k];
       v.tangent = NULL_VECTOR;
       const Feature_edge &a = m_edges[v.edges[0]], &b = m_edges[v.edges[1]];
@@ -162,8 +160,7 @@ private:
     foot = foot.patch == no_index ? m_curves.project(m) : m_curves.project_along(m, foot);
 
     const Vector along = q - p;
-    edge.has_foot = !m_curves.is_end(foot) &&
-                    16 * squared_distance(m, m_curves.point(foot)) < along.squared_length() &&
+    edge.has_foot = !m_curves.is_end(foot) && 16 * squared_distance(m, m_curves.point(foot)) < along.squared_length() &&
                     std::abs(m_curves.tangent(foot) * along) > 0.5 * norm(along);
   }
 

@@ -89,26 +89,26 @@ public:
     constexpr double rounding = 1e-9; // relative to the terms of the equations
 
     const double limit = max_step * m_remesh.mean_edge_length;
-    for_each_sum_over_faces<ConcurrencyTag, Vertex_equations>(m_remesh, [&](std::size_t f) { return face_equations(f); },
-                                                              [&](std::size_t i, const Vertex_equations& of_vertex)
-    {
-      const Point& v = m_remesh.points[i];
-      m_remesh.next_points[i] = v;
-      const double area = of_vertex.area;
-      if(!m_remesh.is_free(i) || !(area > 0))
-        return;
+    for_each_sum_over_faces<ConcurrencyTag, Vertex_equations>(
+      m_remesh, [&](std::size_t f) { return face_equations(f); },
+      [&](std::size_t i, const Vertex_equations& of_vertex) {
+        const Point& v = m_remesh.points[i];
+        m_remesh.next_points[i] = v;
+        const double area = of_vertex.area;
+        if(!m_remesh.is_free(i) || !(area > 0))
+          return;
 
-      Normal_equations equations = of_vertex.of_faces;
-      equations += Normal_equations(m_samples.vertices.normal(i), m_samples.vertices.offset(i),
-                                    Cubic_quadrature::of_vertex(area), m_remesh.mean_edge_length);
-      if(norm(equations.right_hand_side()) <= rounding * area * m_remesh.mean_edge_length)
-        return;
+        Normal_equations equations = of_vertex.of_faces;
+        equations += Normal_equations(m_samples.vertices.normal(i), m_samples.vertices.offset(i),
+                                      Cubic_quadrature::of_vertex(area), m_remesh.mean_edge_length);
+        if(norm(equations.right_hand_side()) <= rounding * area * m_remesh.mean_edge_length)
+          return;
 
-      const Vector d = equations.solve(pull(i, of_vertex), pull_weight(of_vertex), rounding * area);
-      const Vector step = relaxation * d + momentum * m_remesh.last_displacement(i);
-      const double length = norm(step);
-      m_remesh.next_points[i] = v + (length > limit ? (limit / length) * step : step);
-    });
+        const Vector d = equations.solve(pull(i, of_vertex), pull_weight(of_vertex), rounding * area);
+        const Vector step = relaxation * d + momentum * m_remesh.last_displacement(i);
+        const double length = norm(step);
+        m_remesh.next_points[i] = v + (length > limit ? (limit / length) * step : step);
+      });
   }
 
   void relax() override {} // the equations do it
@@ -155,8 +155,7 @@ private:
     for(Normal_equations& of_corner : equations)
       of_corner.add(of_barycenter, 1. / 3);
 
-    m_area_samples.for_each_in_face(f, [&](const Point& point, const Vector& normal, const Coordinates& x)
-    {
+    m_area_samples.for_each_in_face(f, [&](const Point& point, const Vector& normal, const Coordinates& x) {
       const std::array<double, 3> lambda = x.barycentric();
       const Vector offset = point - point_at(t, x);
       // inside the face the reference's normal, on its boundary the direction to the sample
@@ -174,8 +173,7 @@ private:
     Vector sum = NULL_VECTOR;
     const double mean_area = of_vertex.area / of_vertex.number_of_faces;
     const double side = std::sqrt(mean_area * 4 / std::sqrt(3.)); // if the faces were equilateral
-    m_remesh.for_each_corner(i, [&](Index c)
-    {
+    m_remesh.for_each_corner(i, [&](Index c) {
       sum = sum + pull_to_regular(m_remesh.points[i], m_remesh.points[m_remesh.vertex(Mesh_arrays::next(c))],
                                   m_remesh.points[m_remesh.vertex(Mesh_arrays::previous(c))], side);
     });

@@ -16,10 +16,7 @@
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
-inline Optimization_options piecewise_linear_defaults()
-{
-  return { PIECEWISE_LINEAR, 1e-6, false };
-}
+inline Optimization_options piecewise_linear_defaults() { return { PIECEWISE_LINEAR, 1e-6, false }; }
 
 // The sums of equation (2) over the faces of a vertex.
 struct Piecewise_linear_sums
@@ -66,8 +63,7 @@ public:
   // from p_i. A vertex whose faces have no area stays.
   void place(const Iteration& iteration) override
   {
-    const auto sums_of_face = [&](std::size_t f)
-    {
+    const auto sums_of_face = [&](std::size_t f) {
       const std::array<Index, 3>&vertices = m_remesh.face(f), &edges = m_remesh.face_edges[f];
       const auto p = [&](Index k) -> const Vector& { return m_samples.vertices.offset(vertices[k]); };
       const auto m = [&](Index k) -> const Vector& { return m_samples.midpoints.offset(edges[k]); };
@@ -78,19 +74,18 @@ public:
       return sums;
     };
 
-    for_each_sum_over_faces<ConcurrencyTag, Piecewise_linear_sums>(m_remesh, sums_of_face,
-                                                                   [&](std::size_t i, const Piecewise_linear_sums& sums)
-    {
-      m_remesh.next_points[i] = m_remesh.points[i];
-      if(!m_remesh.is_free(i) || !(sums.area > 0))
-        return;
+    for_each_sum_over_faces<ConcurrencyTag, Piecewise_linear_sums>(
+      m_remesh, sums_of_face, [&](std::size_t i, const Piecewise_linear_sums& sums) {
+        m_remesh.next_points[i] = m_remesh.points[i];
+        if(!m_remesh.is_free(i) || !(sums.area > 0))
+          return;
 
-      Vector update = sums.update / sums.area; // (2)
-      const Vector& n = m_samples.vertices.normal(i);
-      if(!iteration.is_free)
-        update = (update * n) * n;
-      m_remesh.next_points[i] = m_remesh.points[i] + (m_samples.vertices.offset(i) + update);
-    });
+        Vector update = sums.update / sums.area; // (2)
+        const Vector& n = m_samples.vertices.normal(i);
+        if(!iteration.is_free)
+          update = (update * n) * n;
+        m_remesh.next_points[i] = m_remesh.points[i] + (m_samples.vertices.offset(i) + update);
+      });
   }
 
   void relax() override
@@ -105,7 +100,8 @@ private:
   // Along the normal a vertex moves over its foot: once all samples have been searched when that begins, they stay.
   Sampling_tolerance tolerance(const Iteration& iteration) const
   {
-    constexpr double max_travel = 0.04, max_distance = 0.05; // relative to the mean edge length; they trade exactness for time
+    constexpr double max_travel = 0.04,
+                     max_distance = 0.05; // relative to the mean edge length; they trade exactness for time
     const double length = m_remesh.mean_edge_length;
     return { iteration.is_first_along_normals ? 0 : max_travel * length, max_distance * length, iteration.is_free };
   }

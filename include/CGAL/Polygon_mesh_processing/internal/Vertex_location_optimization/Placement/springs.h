@@ -53,16 +53,14 @@ void relax_springs(Remesh& remesh, const Spring& spring, const std::size_t numbe
   std::vector<Point> relaxed(remesh.points.size());
   for(std::size_t step = 0; step < number_of_steps; ++step)
   {
-    for_each_index<ConcurrencyTag>(relaxed.size(), [&](std::size_t i)
-    {
+    for_each_index<ConcurrencyTag>(relaxed.size(), [&](std::size_t i) {
       const Point& p = remesh.next_points[i];
       relaxed[i] = p;
       if(!remesh.is_free(i) || remesh.is_at_rest(i))
         return;
 
       Vector force = NULL_VECTOR;
-      remesh.for_each_corner(i, [&](Index c)
-      {
+      remesh.for_each_corner(i, [&](Index c) {
         // around an inner vertex each neighbor follows it in one face
         force = force + spring.force(p - remesh.next_points[remesh.vertex(Mesh_arrays::next(c))]);
       });

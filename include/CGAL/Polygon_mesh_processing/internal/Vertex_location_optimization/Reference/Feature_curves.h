@@ -27,8 +27,7 @@ public:
 
   // the cubic that passes through p, q, r and s at 0, 1/3, 2/3 and 1
   Curve_piece(const Point& p, const Point& q, const Point& r, const Point& s)
-    : b{ { p, p + (18 * (q - p) - 9 * (r - p) + 2 * (s - p)) / 6, 
-         p + (18 * (r - p) - 9 * (q - p) - 5 * (s - p)) / 6, s } }
+    : b{ { p, p + (18 * (q - p) - 9 * (r - p) + 2 * (s - p)) / 6, p + (18 * (r - p) - 9 * (q - p) - 5 * (s - p)) / 6, s } }
   {}
 
   Curve_piece reversed() const
@@ -142,18 +141,12 @@ public:
   }
 
   // whether a curve that leaves a vertex in the directions u and v passes through it rather than having a corner there
-  static bool goes_straight_through(const Vector& u, const Vector& v)
-  {
-    return u * v < -0.5 * norm(u) * norm(v);
-  }
+  static bool goes_straight_through(const Vector& u, const Vector& v) { return u * v < -0.5 * norm(u) * norm(v); }
 
   bool empty() const { return m_pieces.empty(); }
   Index curve(const Foot& foot) const { return m_curve[foot.patch]; }
   Point point(const Foot& foot) const { return m_pieces.point(foot); }
-  Vector tangent(const Foot& foot) const
-  {
-    return normalized(m_pieces.patch(foot.patch).derivative(foot.coordinates.u));
-  }
+  Vector tangent(const Foot& foot) const { return normalized(m_pieces.patch(foot.patch).derivative(foot.coordinates.u)); }
 
   // whether the foot is an end of its curve
   bool is_end(const Foot& foot) const
@@ -207,7 +200,7 @@ private:
     std::vector<Index> continuation(2 * mesh.edges.size(), no_index);
     for(std::size_t first = 0, last; first < ends.size(); first = last)
     {
-      for(last = first; last < ends.size() && ends[last].first == ends[first].first; )
+      for(last = first; last < ends.size() && ends[last].first == ends[first].first;)
         ++last;
       if(last - first != 2)
         continue;

@@ -25,10 +25,7 @@ public:
   Bbox_3 bbox() const { return m_corners[0].bbox() + m_corners[1].bbox() + m_corners[2].bbox(); }
   double area() const { return norm(area_normal(m_corners[0], m_corners[1], m_corners[2])) / 2; }
   Point point(const Coordinates& x) const { return point_at(m_corners, x); }
-  Vector normal(const Coordinates&) const
-  {
-    return normalized(area_normal(m_corners[0], m_corners[1], m_corners[2]));
-  }
+  Vector normal(const Coordinates&) const { return normalized(area_normal(m_corners[0], m_corners[1], m_corners[2])); }
 
   Coordinates flat_coordinates(const Point& query) const { return project_to_plane(m_corners, query); }
 

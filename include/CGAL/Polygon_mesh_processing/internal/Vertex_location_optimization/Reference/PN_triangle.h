@@ -43,8 +43,8 @@ public:
                 b012 = edge_point(c[2], c[1], c[2].normal_across_previous),
                 b102 = edge_point(c[2], c[0], c[2].normal_across_next),
                 b201 = edge_point(c[0], c[2], c[0].normal_across_previous);
-    const Vector e = ((b210 - ORIGIN) + (b120 - ORIGIN) + (b021 - ORIGIN) +
-                      (b012 - ORIGIN) + (b102 - ORIGIN) + (b201 - ORIGIN)) / 6;
+    const Vector e =
+      ((b210 - ORIGIN) + (b120 - ORIGIN) + (b021 - ORIGIN) + (b012 - ORIGIN) + (b102 - ORIGIN) + (b201 - ORIGIN)) / 6;
     const Vector m = ((b300 - ORIGIN) + (b030 - ORIGIN) + (b003 - ORIGIN)) / 3;
     const Point b111 = ORIGIN + (e + (e - m) / 2);
 
@@ -69,8 +69,7 @@ public:
     // By the convex hull property no point of the patch is farther from the point of the flat triangle with the same
     // coordinates than the control point that is farthest from its place there.
     double deviation2 = 0;
-    auto add_control_point = [&](const Point& b, double i, double j, double k)
-    {
+    auto add_control_point = [&](const Point& b, double i, double j, double k) {
       const Vector d = (b - b300) - (j * (b030 - b300) + k * (b003 - b300)) / (i + j + k);
       deviation2 = (std::max)(deviation2, d.squared_length());
     };
@@ -95,16 +94,15 @@ public:
   Point point(const Coordinates& x) const
   {
     const double u = x.u, v = x.v;
-    return m_corners[0] + (u * (c10 + u * (c20 + u * c30) + v * (c11 + u * c21 + v * c12)) +
-                           v * (c01 + v * (c02 + v * c03)));
+    return m_corners[0] +
+           (u * (c10 + u * (c20 + u * c30) + v * (c11 + u * c21 + v * c12)) + v * (c01 + v * (c02 + v * c03)));
   }
 
   // the quadratic normal; where it vanishes that of the cubic patch
   Vector normal(const Coordinates& x) const
   {
     const double u = x.u, v = x.v, w = 1 - u - v;
-    const Vector n = normalized(w * w * n200 + u * u * n020 + v * v * n002 +
-                                w * u * n110 + u * v * n011 + w * v * n101);
+    const Vector n = normalized(w * w * n200 + u * u * n020 + v * v * n002 + w * u * n110 + u * v * n011 + w * v * n101);
     if(n != NULL_VECTOR)
       return n;
     const Derivatives d = evaluate(x);
@@ -174,9 +172,9 @@ private:
   // Whether the patch is so far from flat that the foot on the flat triangle says little about the foot on the patch.
   bool is_bent() const
   {
-    const double longest2 = (std::max)({ squared_distance(m_corners[0], m_corners[1]),
-                                         squared_distance(m_corners[1], m_corners[2]),
-                                         squared_distance(m_corners[2], m_corners[0]) });
+    const double longest2 =
+      (std::max)({ squared_distance(m_corners[0], m_corners[1]), squared_distance(m_corners[1], m_corners[2]),
+                   squared_distance(m_corners[2], m_corners[0]) });
     return 100 * m_deviation * m_deviation > longest2;
   }
 
@@ -268,15 +266,14 @@ private:
     // the minimum is on the boundary: the best of the three sides
     Coordinates best{ 0, 0 };
     double best_value = 0;
-    auto try_side = [&](const Coordinates& a, const Coordinates& b)
-    {
+    auto try_side = [&](const Coordinates& a, const Coordinates& b) {
       const double e_u = b.u - a.u, e_v = b.v - a.v, a_u = a.u - x.u, a_v = a.v - x.v;
       const double curvature = h_uu * e_u * e_u + 2 * h_uv * e_u * e_v + h_vv * e_v * e_v;
       const double slope = g_u * e_u + g_v * e_v + h_uu * a_u * e_u + h_uv * (a_u * e_v + a_v * e_u) + h_vv * a_v * e_v;
       const double t = curvature > 0 ? (std::min)(1., (std::max)(0., -slope / curvature)) : 0.;
       const Coordinates step{ a_u + t * e_u, a_v + t * e_v };
-      const double value = g_u * step.u + g_v * step.v +
-                           (h_uu * step.u * step.u + 2 * h_uv * step.u * step.v + h_vv * step.v * step.v) / 2;
+      const double value =
+        g_u * step.u + g_v * step.v + (h_uu * step.u * step.u + 2 * h_uv * step.u * step.v + h_vv * step.v * step.v) / 2;
       if(value < best_value)
       {
         best_value = value;

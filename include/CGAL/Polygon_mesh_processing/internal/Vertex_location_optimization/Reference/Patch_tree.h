@@ -44,8 +44,7 @@ template <typename Box>
 double squared_distance_to_box(const Point& p, const Box& box)
 {
   const auto to_slab = [](double x, double min, double max) { return x - (std::min)((std::max)(x, min), max); };
-  return square(to_slab(p.x(), box.xmin(), box.xmax())) +
-         square(to_slab(p.y(), box.ymin(), box.ymax())) +
+  return square(to_slab(p.x(), box.xmin(), box.xmax())) + square(to_slab(p.y(), box.ymin(), box.ymax())) +
          square(to_slab(p.z(), box.zmin(), box.zmax()));
 }
 
@@ -70,7 +69,8 @@ class Patch_tree
 
     Primitive() = default;
     template <typename Iterator>
-    Primitive(Iterator it, const Patch* patches) : m_id(static_cast<Id>(*it)), m_box(patches[m_id].bbox()) {}
+    Primitive(Iterator it, const Patch* patches) : m_id(static_cast<Id>(*it)), m_box(patches[m_id].bbox())
+    {}
 
     Id id() const { return m_id; }
     const Datum& datum() const { return m_box; }
@@ -91,8 +91,7 @@ class Patch_tree
 public:
   Patch_tree() = default;
 
-  explicit Patch_tree(std::vector<Patch> patches)
-    : m_patches(std::move(patches))
+  explicit Patch_tree(std::vector<Patch> patches) : m_patches(std::move(patches))
   {
     const auto ids = boost::irange<std::size_t>(0, m_patches.size());
     m_tree.insert(ids.begin(), ids.end(), static_cast<const Patch*>(m_patches.data()));
@@ -156,10 +155,8 @@ private:
     // by increasing lower bounds of their distances
     const Candidates& sorted()
     {
-      std::sort(m_candidates.begin(), m_candidates.end(), [](const Candidate& a, const Candidate& b)
-      {
-        return a.estimate.lower_bound < b.estimate.lower_bound;
-      });
+      std::sort(m_candidates.begin(), m_candidates.end(),
+                [](const Candidate& a, const Candidate& b) { return a.estimate.lower_bound < b.estimate.lower_bound; });
       return m_candidates;
     }
 
@@ -177,7 +174,10 @@ private:
     }
 
     template <typename Node>
-    bool do_intersect(const Point& query, const Node& node) const { return is_near(query, node.bbox()); }
+    bool do_intersect(const Point& query, const Node& node) const
+    {
+      return is_near(query, node.bbox());
+    }
 
     template <typename Node>
     std::pair<bool, Priority> do_intersect_with_priority(const Point& query, const Node& node) const

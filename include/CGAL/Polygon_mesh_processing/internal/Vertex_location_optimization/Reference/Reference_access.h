@@ -54,7 +54,8 @@ public:
   std::array<Foot, 1> feet_at(const Foot& foot) const { return { { foot } }; }
   double area() const { return 0; }
   template <typename F>
-  void for_each_area_sample(double, const F&) const {}
+  void for_each_area_sample(double, const F&) const
+  {}
   const Feature_curves& feature_curves() const { return m_no_curves; }
 
 private:
@@ -64,10 +65,12 @@ private:
 
 // Whether a surface is one of this package, with `patches()`.
 template <typename Surface, typename = void>
-struct Is_patch_surface : std::false_type {};
+struct Is_patch_surface : std::false_type
+{};
 
 template <typename Surface>
-struct Is_patch_surface<Surface, std::void_t<decltype(std::declval<const Surface&>().patches())>> : std::true_type {};
+struct Is_patch_surface<Surface, std::void_t<decltype(std::declval<const Surface&>().patches())>> : std::true_type
+{};
 
 // `surface` as the phases see it
 template <typename Surface>

@@ -19,10 +19,8 @@ template <typename ConcurrencyTag>
 std::vector<Vector> compute_face_normals(const Mesh_arrays& mesh)
 {
   std::vector<Vector> normals(mesh.number_of_faces());
-  for_each_index<ConcurrencyTag>(mesh.number_of_faces(), [&](std::size_t f)
-  {
-    normals[f] = normalized(mesh.area_normal(f));
-  });
+  for_each_index<ConcurrencyTag>(mesh.number_of_faces(),
+                                 [&](std::size_t f) { normals[f] = normalized(mesh.area_normal(f)); });
   return normals;
 }
 
@@ -32,8 +30,7 @@ template <typename ConcurrencyTag>
 std::vector<char> detect_creases(const Mesh_arrays& mesh, const std::vector<Vector>& face_normals, double cosine)
 {
   std::vector<char> is_crease(mesh.edges.size());
-  for_each_index<ConcurrencyTag>(mesh.edges.size(), [&](std::size_t e)
-  {
+  for_each_index<ConcurrencyTag>(mesh.edges.size(), [&](std::size_t e) {
     if(mesh.is_border(e))
       return;
     const Vector& m = face_normals[mesh.edge_corners[e][0] / 3];
@@ -79,7 +76,7 @@ private:
   Index first_corner(const Index corner) const
   {
     Index smallest = corner;
-    for(Index c = previous(corner), last = corner; ; last = c, c = previous(c))
+    for(Index c = previous(corner), last = corner;; last = c, c = previous(c))
     {
       if(c == no_index)
         return last;
@@ -96,17 +93,14 @@ private:
 // The normals at the corners of the faces: the average over their sector, weighted by the angles. All corners of a
 // sector have the same normal, to the last bit.
 template <typename ConcurrencyTag>
-std::vector<Vector> compute_corner_normals(const Mesh_arrays& mesh,
-                                           const std::vector<Vector>& face_normals,
-                                           const std::vector<char>& is_crease)
+std::vector<Vector>
+compute_corner_normals(const Mesh_arrays& mesh, const std::vector<Vector>& face_normals, const std::vector<char>& is_crease)
 {
   const Sectors sectors(mesh, is_crease);
   std::vector<Vector> normals(3 * mesh.number_of_faces());
-  for_each_index<ConcurrencyTag>(normals.size(), [&](std::size_t i)
-  {
+  for_each_index<ConcurrencyTag>(normals.size(), [&](std::size_t i) {
     Vector sum = NULL_VECTOR;
-    sectors.for_each_corner(static_cast<Index>(i), [&](Index corner)
-    {
+    sectors.for_each_corner(static_cast<Index>(i), [&](Index corner) {
       const Point& p = mesh.points[mesh.vertex(corner)];
       const Point& q = mesh.points[mesh.vertex(Mesh_arrays::next(corner))];
       const Point& r = mesh.points[mesh.vertex(Mesh_arrays::previous(corner))];

@@ -71,22 +71,20 @@ void make_patches(const Mesh_arrays& mesh,
                   std::vector<PN_triangle>& patches)
 {
   const std::vector<Vector> corner_normals = compute_corner_normals<ConcurrencyTag>(mesh, face_normals, is_crease);
-  auto normal_or = [&](Index corner, const Vector& otherwise)
-  {
+  auto normal_or = [&](Index corner, const Vector& otherwise) {
     return corner == no_index ? otherwise : corner_normals[corner];
   };
 
   patches.resize(mesh.number_of_faces());
-  for_each_index<ConcurrencyTag>(patches.size(), [&](std::size_t f)
-  {
+  for_each_index<ConcurrencyTag>(patches.size(), [&](std::size_t f) {
     std::array<PN_triangle::Corner, 3> corners;
     for(Index k = 0; k < 3; ++k)
     {
       const Index c = static_cast<Index>(3 * f + k);
       const Vector& n = corner_normals[c];
       // the edge to the next corner is the one opposite to the previous corner
-      corners[k] = { mesh.points[mesh.vertex(c)], n,
-                     normal_or(mesh.corner_across_previous(c), n), normal_or(mesh.corner_across_next(c), n) };
+      corners[k] = { mesh.points[mesh.vertex(c)], n, normal_or(mesh.corner_across_previous(c), n),
+                     normal_or(mesh.corner_across_next(c), n) };
     }
     patches[f] = PN_triangle(corners);
   });
@@ -107,16 +105,11 @@ Reference_patches<Patch> make_reference_patches(const TriangleMesh& tmesh, const
   std::vector<Patch> patches;
   make_patches<ConcurrencyTag>(mesh, face_normals, is_crease, patches);
 
-  auto is_feature = [&](Index e)
-  {
-    return mesh.edge_corners[e][0] != no_index && (is_crease[e] || mesh.is_border(e));
-  };
-  auto curve_piece = [&](Index e)
-  {
+  auto is_feature = [&](Index e) { return mesh.edge_corners[e][0] != no_index && (is_crease[e] || mesh.is_border(e)); };
+  auto curve_piece = [&](Index e) {
     // along the side opposite to the corner k of a face at the edge
     const Index corner = mesh.edge_corners[e][0];
-    auto at = [&](double t)
-    {
+    auto at = [&](double t) {
       std::array<double, 3> lambda;
       lambda[corner % 3] = 0;
       lambda[(corner + 1) % 3] = 1 - t;
@@ -129,8 +122,7 @@ Reference_patches<Patch> make_reference_patches(const TriangleMesh& tmesh, const
   Feature_curves curves(mesh, is_feature, curve_piece);
 
   std::vector<std::array<Index, 3>> neighbors(mesh.number_of_faces());
-  for_each_index<ConcurrencyTag>(mesh.number_of_faces(), [&](std::size_t f)
-  {
+  for_each_index<ConcurrencyTag>(mesh.number_of_faces(), [&](std::size_t f) {
     for(Index k = 0; k < 3; ++k)
       neighbors[f][k] = mesh.corner_across(static_cast<Index>(3 * f + k));
   });

@@ -18,10 +18,12 @@ namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
 // A model of `ReferenceSurface` has a type `Foot`, a model of `FaceGraph` has none.
 template <typename Reference, typename = void>
-struct Is_reference_surface : std::false_type {};
+struct Is_reference_surface : std::false_type
+{};
 
 template <typename Reference>
-struct Is_reference_surface<Reference, std::void_t<typename Reference::Foot>> : std::true_type {};
+struct Is_reference_surface<Reference, std::void_t<typename Reference::Foot>> : std::true_type
+{};
 
 // Returns f(surface), where `surface` is `reference` itself if it is a model of `ReferenceSurface`, else the PN triangle
 // surface of the mesh `reference`.
@@ -37,14 +39,10 @@ auto with_reference_surface(const Reference& reference, const NamedParameters& n
 // Returns f(access) with what `access_reference()` gives for `reference`, a mesh or a reference surface; `otherwise` if it
 // is empty, but `mesh` is not.
 template <typename ConcurrencyTag, typename Reference, typename NamedParameters, typename Result, typename F>
-Result with_reference(const Mesh_arrays& mesh,
-                      const Reference& reference,
-                      const NamedParameters& np,
-                      const Result& otherwise,
-                      const F& f)
+Result with_reference(
+  const Mesh_arrays& mesh, const Reference& reference, const NamedParameters& np, const Result& otherwise, const F& f)
 {
-  return with_reference_surface<ConcurrencyTag>(reference, np, [&](const auto& surface) -> Result
-  {
+  return with_reference_surface<ConcurrencyTag>(reference, np, [&](const auto& surface) -> Result {
     const auto& access = access_reference(surface);
     const bool has_reference = !access.is_empty() || mesh.points.empty();
     CGAL_precondition(has_reference);

@@ -26,7 +26,7 @@ inline void walk_to_closest_point(const Remesh& remesh, const Point& query, Patc
 {
   foot.coordinates = closest_on_triangle(remesh.triangle(foot.patch), query);
   double distance = squared_distance(query, point_at(remesh.triangle(foot.patch), foot.coordinates));
-  for(bool is_closer = true; is_closer; )
+  for(bool is_closer = true; is_closer;)
   {
     is_closer = false;
     const std::array<double, 3> lambda = foot.coordinates.barycentric();
@@ -35,8 +35,7 @@ inline void walk_to_closest_point(const Remesh& remesh, const Point& query, Patc
     const std::array<Index, 3> face = remesh.face(foot.patch);
     for(int k = 0; k < 3; ++k)
       if(lambda[k] > boundary_tolerance)
-        remesh.for_each_corner(face[k], [&](Index c)
-        {
+        remesh.for_each_corner(face[k], [&](Index c) {
           const std::array<Point, 3> t = remesh.triangle(c / 3);
           const Coordinates x = closest_on_triangle(t, query);
           const double d = squared_distance(query, point_at(t, x));
@@ -66,8 +65,7 @@ public:
     {
       m_points.reserve(n);
       m_normals.reserve(n);
-      reference.for_each_area_sample(m_area, [&](const auto& foot)
-      {
+      reference.for_each_area_sample(m_area, [&](const auto& foot) {
         m_points.push_back(reference.point(foot));
         m_normals.push_back(reference.normal(foot));
       });
@@ -79,8 +77,7 @@ public:
     permute(m_points, order);
     permute(m_normals, order);
     m_feet.resize(order.size());
-    for_each_index<ConcurrencyTag>(m_feet.size(), [&](std::size_t i)
-    {
+    for_each_index<ConcurrencyTag>(m_feet.size(), [&](std::size_t i) {
       const Index face = faces[order[i]];
       m_feet[i] = { face, closest_on_triangle(remesh.triangle(face), m_points[i]) };
     });
@@ -93,15 +90,13 @@ public:
   template <typename ConcurrencyTag>
   void update(const Remesh& remesh, const double tolerance)
   {
-    for_each_index<ConcurrencyTag>(remesh.number_of_faces(), [&](std::size_t f)
-    {
+    for_each_index<ConcurrencyTag>(remesh.number_of_faces(), [&](std::size_t f) {
       if(m_travels[f] > tolerance) // its samples were searched in the last iteration
         m_travels[f] = 0;
       const auto displacement = [&](int k) { return norm(remesh.last_displacement(remesh.face(f)[k])); };
       m_travels[f] += (std::max)({ displacement(0), displacement(1), displacement(2) });
     });
-    for_each_index<ConcurrencyTag>(m_points.size(), [&](std::size_t i)
-    {
+    for_each_index<ConcurrencyTag>(m_points.size(), [&](std::size_t i) {
       if(m_travels[m_feet[i].patch] > tolerance)
         walk_to_closest_point(remesh, m_points[i], m_feet[i]);
     });
@@ -131,8 +126,7 @@ private:
       triangles[f] = Flat_triangle(remesh.triangle(f));
     const Patch_tree<Flat_triangle> tree(std::move(triangles));
     constexpr std::size_t block_size = 64;
-    for_each_block<ConcurrencyTag>(closest.size(), block_size, [&](std::size_t begin, std::size_t end)
-    {
+    for_each_block<ConcurrencyTag>(closest.size(), block_size, [&](std::size_t begin, std::size_t end) {
       Index hint = no_index;
       for(std::size_t i = begin; i < end; ++i)
         closest[i] = hint = tree.project(m_points[i], hint).patch;

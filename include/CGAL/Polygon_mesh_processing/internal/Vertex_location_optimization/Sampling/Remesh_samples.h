@@ -63,19 +63,17 @@ public:
   Initial_measure start(const Reference& reference, const Remesh& remesh)
   {
     Initial_measure measure{ Distance_samples(remesh), std::vector<Face_orientation>(remesh.number_of_faces()) };
-    for_each_element<ConcurrencyTag>(remesh,
-      [&](std::size_t i)
-      {
+    for_each_element<ConcurrencyTag>(
+      remesh,
+      [&](std::size_t i) {
         vertices.project(i, reference, remesh.points[i]);
         measure.distances.at_vertices[i] = norm(vertices.offset(i));
       },
-      [&](std::size_t e)
-      {
+      [&](std::size_t e) {
         midpoints.project(e, reference, remesh.midpoint(e), vertices.hint(remesh.edges[e][0]));
         measure.distances.at_midpoints[e] = norm(midpoints.offset(e));
       },
-      [&](std::size_t f)
-      {
+      [&](std::size_t f) {
         const Point query = remesh.barycenter(f);
         const auto foot = reference.project(query, midpoints.hint(remesh.edge_at_first_vertex(f)));
         if(!barycenters.empty())
@@ -91,29 +89,29 @@ public:
   template <typename ConcurrencyTag>
   void update(const Reference& reference, const Remesh& remesh, const Sampling_tolerance& tolerance)
   {
-    update<ConcurrencyTag>(reference, remesh, tolerance, midpoints, [&](std::size_t e) { return remesh.edges[e]; },
-                           [&](std::size_t e) { return remesh.midpoint(e); });
-    update<ConcurrencyTag>(reference, remesh, tolerance, barycenters, [&](std::size_t f) { return remesh.face(f); },
-                           [&](std::size_t f) { return remesh.barycenter(f); });
+    update<ConcurrencyTag>(
+      reference, remesh, tolerance, midpoints, [&](std::size_t e) { return remesh.edges[e]; },
+      [&](std::size_t e) { return remesh.midpoint(e); });
+    update<ConcurrencyTag>(
+      reference, remesh, tolerance, barycenters, [&](std::size_t f) { return remesh.face(f); },
+      [&](std::size_t f) { return remesh.barycenter(f); });
     // the last, as the others read their normals
-    update<ConcurrencyTag>(reference, remesh, tolerance, vertices,
-                           [](std::size_t i) { return std::array<Index, 1>{ static_cast<Index>(i) }; },
-                           [&](std::size_t i) { return remesh.points[i]; });
+    update<ConcurrencyTag>(
+      reference, remesh, tolerance, vertices, [](std::size_t i) { return std::array<Index, 1>{ static_cast<Index>(i) }; },
+      [&](std::size_t i) { return remesh.points[i]; });
   }
 
   // Takes the samples at the closest points, wherever they are.
   template <typename ConcurrencyTag>
   void project(const Reference& reference, const Remesh& remesh)
   {
-    const auto project_sample = [&](Samples& samples, std::size_t k, const Point& query)
-    {
+    const auto project_sample = [&](Samples& samples, std::size_t k, const Point& query) {
       samples.project(k, reference, query, samples.hint(k));
     };
-    for_each_element<ConcurrencyTag>(remesh,
-      [&](std::size_t i) { project_sample(vertices, i, remesh.points[i]); },
+    for_each_element<ConcurrencyTag>(
+      remesh, [&](std::size_t i) { project_sample(vertices, i, remesh.points[i]); },
       [&](std::size_t e) { project_sample(midpoints, e, remesh.midpoint(e)); },
-      [&](std::size_t f)
-      {
+      [&](std::size_t f) {
         if(!barycenters.empty())
           project_sample(barycenters, f, remesh.barycenter(f));
       });
@@ -140,24 +138,20 @@ private:
               const QueryAt& query_at)
   {
     constexpr std::size_t block_size = 256;
-    for_each_block<ConcurrencyTag>(samples.size(), block_size, [&](std::size_t begin, std::size_t end)
-    {
+    for_each_block<ConcurrencyTag>(samples.size(), block_size, [&](std::size_t begin, std::size_t end) {
       boost::container::small_vector<std::size_t, block_size> is_due; // few: what they need of the reference is far away
       for(std::size_t k = begin; k < end; ++k)
       {
         const auto& of_sample = vertices_at(k);
-        const auto mean = [&](const auto& of_vertex)
-        {
+        const auto mean = [&](const auto& of_vertex) {
           Vector sum = NULL_VECTOR;
           for(Index i : of_sample)
             sum = sum + of_vertex(i);
           return Vector(sum / static_cast<double>(of_sample.size()));
         };
         const Vector displacement = mean([&](Index i) { return remesh.last_displacement(i); });
-        const auto off_tangent_plane = [&]()
-        {
-          return mean([&](Index i)
-          {
+        const auto off_tangent_plane = [&]() {
+          return mean([&](Index i) {
             const Vector& m = vertices.normal(i);
             return Vector((remesh.last_displacement(i) * m) * m);
           });

@@ -8,7 +8,6 @@
 
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/geometry.h>
 
-
 #include <algorithm>
 #include <array>
 #include <cstddef>

@@ -20,8 +20,7 @@ template <typename ConcurrencyTag, typename OnVertex, typename OnEdge, typename 
 void for_each_element(const Mesh_arrays& mesh, const OnVertex& on_vertex, const OnEdge& on_edge, const OnFace& on_face)
 {
   constexpr std::size_t block_size = 64; // of vertices
-  for_each_block<ConcurrencyTag>(mesh.points.size(), block_size, [&](std::size_t begin, std::size_t end)
-  {
+  for_each_block<ConcurrencyTag>(mesh.points.size(), block_size, [&](std::size_t begin, std::size_t end) {
     std::size_t e = mesh.first_edge_from(begin), f = mesh.first_face_from(begin);
     for(std::size_t i = begin; i < end; ++i)
     {

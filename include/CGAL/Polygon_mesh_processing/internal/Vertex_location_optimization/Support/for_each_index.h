@@ -30,8 +30,7 @@ void for_each_index(std::size_t n, const F& f)
 #ifdef CGAL_LINKED_WITH_TBB
   if constexpr(std::is_convertible<ConcurrencyTag, Parallel_tag>::value)
   {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n), [&](const tbb::blocked_range<std::size_t>& range)
-    {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n), [&](const tbb::blocked_range<std::size_t>& range) {
       for(std::size_t i = range.begin(); i != range.end(); ++i)
         f(i);
     });
@@ -51,8 +50,7 @@ void for_each_index(std::size_t n, const F& f)
 template <typename ConcurrencyTag, typename F>
 void for_each_block(std::size_t n, std::size_t block_size, const F& f)
 {
-  for_each_index<ConcurrencyTag>((n + block_size - 1) / block_size, [&](std::size_t block)
-  {
+  for_each_index<ConcurrencyTag>((n + block_size - 1) / block_size, [&](std::size_t block) {
     const std::size_t begin = block * block_size;
     f(begin, (std::min)(n, begin + block_size));
   });
@@ -64,8 +62,7 @@ std::vector<Index> find_indices(std::size_t n, const Predicate& predicate)
 {
   constexpr std::size_t block_size = 2048;
   std::vector<std::vector<Index>> found((n + block_size - 1) / block_size);
-  for_each_block<ConcurrencyTag>(n, block_size, [&](std::size_t begin, std::size_t end)
-  {
+  for_each_block<ConcurrencyTag>(n, block_size, [&](std::size_t begin, std::size_t end) {
     for(std::size_t i = begin; i < end; ++i)
       if(predicate(i))
         found[begin / block_size].push_back(static_cast<Index>(i));
@@ -83,8 +80,7 @@ T sum_over_indices(std::size_t n, const F& f)
 {
   constexpr std::size_t block_size = 512;
   std::vector<T> sums((n + block_size - 1) / block_size, T());
-  for_each_block<ConcurrencyTag>(n, block_size, [&](std::size_t begin, std::size_t end)
-  {
+  for_each_block<ConcurrencyTag>(n, block_size, [&](std::size_t begin, std::size_t end) {
     for(std::size_t i = begin; i < end; ++i)
       sums[begin / block_size] += f(i);
   });

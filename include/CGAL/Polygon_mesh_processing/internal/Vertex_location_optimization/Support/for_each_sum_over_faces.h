@@ -24,12 +24,10 @@ void for_each_sum_over_faces(const Remesh& mesh, const Terms& terms, const F& f)
 {
   constexpr std::size_t block_size = 512; // of vertices
 
-  for_each_block<ConcurrencyTag>(mesh.points.size(), block_size, [&](std::size_t begin, std::size_t end)
-  {
+  for_each_block<ConcurrencyTag>(mesh.points.size(), block_size, [&](std::size_t begin, std::size_t end) {
     std::vector<std::size_t> faces; // those that begin before the block
     for(std::size_t i = begin; i < end; ++i)
-      mesh.for_each_corner(i, [&](Index c)
-      {
+      mesh.for_each_corner(i, [&](Index c) {
         if(mesh.first_vertex(c / 3) < begin)
           faces.push_back(c / 3);
       });
@@ -37,8 +35,7 @@ void for_each_sum_over_faces(const Remesh& mesh, const Terms& terms, const F& f)
     faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
 
     std::vector<Sum> sums(end - begin);
-    const auto add_terms = [&](std::size_t face)
-    {
+    const auto add_terms = [&](std::size_t face) {
       const std::array<Index, 3>& vertices = mesh.face(face);
       const std::array<Sum, 3> of_face = terms(face);
       for(int k = 0; k < 3; ++k)

@@ -11,13 +11,13 @@
 #include <type_traits>
 
 // the parameters that CGAL does not have
-#define CGAL_VERTEX_LOCATION_for_each_named_parameter(F) \
-  F(number_of_free_iterations) F(convergence_threshold) F(placement_method) F(regularity_weight) F(face_error_map) \
-  F(vertex_error_map)
+#define CGAL_VERTEX_LOCATION_for_each_named_parameter(F)                                                                    \
+  F(number_of_free_iterations)                                                                                              \
+  F(convergence_threshold) F(placement_method) F(regularity_weight) F(face_error_map) F(vertex_error_map)
 
 namespace CGAL {
 namespace internal_np {
-#define CGAL_VERTEX_LOCATION_named_parameter(NAME) enum NAME##_t { NAME };
+#define CGAL_VERTEX_LOCATION_named_parameter(NAME) enum NAME##_t{ NAME };
 CGAL_VERTEX_LOCATION_for_each_named_parameter(CGAL_VERTEX_LOCATION_named_parameter)
 #undef CGAL_VERTEX_LOCATION_named_parameter
 } // namespace internal_np
@@ -29,20 +29,19 @@ namespace internal {
 // it holds no data of its own, so that converting it to its base loses nothing. A parameter of CGAL that is chained to
 // it returns a `Named_function_parameters`: parameters of this package come first.
 template <typename T, typename Tag, typename Base = internal_np::No_property>
-struct Vertex_location_named_parameters
-  : Named_function_parameters<T, Tag, Base>
+struct Vertex_location_named_parameters : Named_function_parameters<T, Tag, Base>
 {
   using Parameters = Named_function_parameters<T, Tag, Base>;
   using Parameters::Parameters;
 
-#define CGAL_VERTEX_LOCATION_named_parameter(NAME)                                                                     \
-  template <typename K>                                                                                                \
-  Vertex_location_named_parameters<K, internal_np::NAME##_t, Parameters> NAME(const K& k) const                        \
-  {                                                                                                                    \
-    return Vertex_location_named_parameters<K, internal_np::NAME##_t, Parameters>(k, *this);                           \
+#define CGAL_VERTEX_LOCATION_named_parameter(NAME)                                                                          \
+  template <typename K>                                                                                                     \
+  Vertex_location_named_parameters<K, internal_np::NAME##_t, Parameters> NAME(const K& k) const                             \
+  {                                                                                                                         \
+    return Vertex_location_named_parameters<K, internal_np::NAME##_t, Parameters>(k, *this);                                \
   }
   CGAL_VERTEX_LOCATION_for_each_named_parameter(CGAL_VERTEX_LOCATION_named_parameter)
-  CGAL_VERTEX_LOCATION_named_parameter(sharpness_angle)
+    CGAL_VERTEX_LOCATION_named_parameter(sharpness_angle)
 #undef CGAL_VERTEX_LOCATION_named_parameter
 };
 
@@ -59,11 +58,11 @@ using Is_named_parameters = decltype(is_named_parameters(static_cast<const T*>(n
 
 namespace parameters {
 
-#define CGAL_VERTEX_LOCATION_named_parameter(NAME)                                                                     \
-  template <typename K>                                                                                                \
-  Polygon_mesh_processing::internal::Vertex_location_named_parameters<K, internal_np::NAME##_t> NAME(const K& k)       \
-  {                                                                                                                    \
-    return Polygon_mesh_processing::internal::Vertex_location_named_parameters<K, internal_np::NAME##_t>(k);           \
+#define CGAL_VERTEX_LOCATION_named_parameter(NAME)                                                                          \
+  template <typename K>                                                                                                     \
+  Polygon_mesh_processing::internal::Vertex_location_named_parameters<K, internal_np::NAME##_t> NAME(const K& k)            \
+  {                                                                                                                         \
+    return Polygon_mesh_processing::internal::Vertex_location_named_parameters<K, internal_np::NAME##_t>(k);                \
   }
 CGAL_VERTEX_LOCATION_for_each_named_parameter(CGAL_VERTEX_LOCATION_named_parameter)
 #undef CGAL_VERTEX_LOCATION_for_each_named_parameter

@@ -115,8 +115,7 @@ void copy_faces(const TriangleMesh& tmesh,
   for(auto f : faces(tmesh))
   {
     const auto around = halfedges_around_face(halfedge(f, tmesh), tmesh);
-    const auto first = std::min_element(around.begin(), around.end(), [&](halfedge_descriptor g, halfedge_descriptor h)
-    {
+    const auto first = std::min_element(around.begin(), around.end(), [&](halfedge_descriptor g, halfedge_descriptor h) {
       return get(vertex_index, target(g, tmesh)) < get(vertex_index, target(h, tmesh));
     });
     order.emplace_back(get(vertex_index, target(*first, tmesh)), *first);

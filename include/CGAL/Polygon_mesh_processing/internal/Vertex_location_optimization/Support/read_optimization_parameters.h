@@ -20,7 +20,10 @@ namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 struct Allow_all_moves
 {
   template <typename Vertex, typename Point>
-  bool operator()(const Vertex&, const Point&, const Point&) const { return true; }
+  bool operator()(const Vertex&, const Point&, const Point&) const
+  {
+    return true;
+  }
 };
 
 // The options among the parameters, else the defaults of the placement method.
@@ -50,9 +53,8 @@ Optimization_options read_options(const NamedParameters& np)
 // What the user's constraints and the border keep from moving freely. Constrained edges and the border hold their vertices
 // or, if `relax_constraints`, guide them.
 template <typename TriangleMesh, typename NamedParameters>
-Constraints read_constraints(const Mesh_arrays& mesh,
-                             const Mesh_descriptors<TriangleMesh>& descriptors,
-                             const NamedParameters& np)
+Constraints
+read_constraints(const Mesh_arrays& mesh, const Mesh_descriptors<TriangleMesh>& descriptors, const NamedParameters& np)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;

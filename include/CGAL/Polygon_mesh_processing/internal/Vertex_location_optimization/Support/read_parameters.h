@@ -27,25 +27,30 @@ auto read_vertex_point_map(TriangleMesh& tmesh, const NamedParameters& np)
 
   using Get_map = GetVertexPointMap<std::remove_const_t<TriangleMesh>, NamedParameters>;
   if constexpr(std::is_const<TriangleMesh>::value)
-    return typename Get_map::const_type(choose_parameter(get_parameter(np, internal_np::vertex_point),
-                                                         get_const_property_map(vertex_point, tmesh)));
+    return typename Get_map::const_type(
+      choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tmesh)));
   else
-    return typename Get_map::type(choose_parameter(get_parameter(np, internal_np::vertex_point),
-                                                   get_property_map(vertex_point, tmesh)));
+    return typename Get_map::type(
+      choose_parameter(get_parameter(np, internal_np::vertex_point), get_property_map(vertex_point, tmesh)));
 }
 
 // what a named parameter holds: itself, or the object to which std::ref() refers
 template <typename T>
-T& unwrap_reference(T& t) { return t; }
+T& unwrap_reference(T& t)
+{
+  return t;
+}
 
 template <typename T>
-T& unwrap_reference(std::reference_wrapper<T>& t) { return t.get(); }
+T& unwrap_reference(std::reference_wrapper<T>& t)
+{
+  return t.get();
+}
 
 // marks the edges that the user constrains
 template <typename TriangleMesh, typename NamedParameters>
-std::vector<char> find_constrained_edges(const Mesh_arrays& mesh,
-                                         const Mesh_descriptors<TriangleMesh>& descriptors,
-                                         const NamedParameters& np)
+std::vector<char>
+find_constrained_edges(const Mesh_arrays& mesh, const Mesh_descriptors<TriangleMesh>& descriptors, const NamedParameters& np)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;

@@ -68,8 +68,7 @@ inline Coordinates closest_on_triangle(const std::array<Point, 3>& t, const Poin
   // the foot is on a side that x is beyond
   Coordinates best;
   double best_distance = (std::numeric_limits<double>::max)();
-  const auto try_side = [&](const Coordinates& foot)
-  {
+  const auto try_side = [&](const Coordinates& foot) {
     const double distance = squared_distance(point_at(t, foot), x);
     if(distance < best_distance)
     {

@@ -6,11 +6,11 @@
 #ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_LEAST_SQUARES_PLACEMENT_H
 #define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_LEAST_SQUARES_PLACEMENT_H
 
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Placement/for_each_sum_over_faces.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Placement/Normal_equations.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Placement/Placement.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Placement/pull_to_regular.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Sampling/Area_samples.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/for_each_sum_over_faces.h>
 
 #include <algorithm>
 #include <array>

@@ -12,7 +12,8 @@
 #include <string>
 
 // Checks that are on in every build. A check that fails is printed with its place, its expression and its values; the
-// test goes on. A main ends with `return test_result();`.
+// test goes on. A main ends with `return test_result();`. Boost's lightweight_test has no topics and passes if nothing is
+// checked.
 
 namespace check {
 

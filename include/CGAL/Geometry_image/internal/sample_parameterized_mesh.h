@@ -23,7 +23,7 @@ namespace CGAL::internal::geometry_image {
 using Double_kernel = Polygon_mesh_processing::internal::vertex_location::Kernel;
 using Double_mesh = Surface_mesh<Double_kernel::Point_3>;
 
-// barycentric coordinates of p; not finite if the triangle has no area
+// barycentric coordinates of p; not finite if the triangle has no area, which CGAL's must have
 inline std::array<double, 3> barycentric_coordinates(const std::array<Double_kernel::Point_2, 3>& t,
                                                      const Double_kernel::Point_2& p)
 {

@@ -180,10 +180,10 @@ void test_bytes(const Directory& directory)
   }
 }
 
-void test_bad_files(const Directory& directory)
+const std::string two(samples({ 1, 2, 3, 4, 5, 6 })); // samples
+
+void test_bad_sizes(const Directory& directory)
 {
-  const std::string two(samples({ 1, 2, 3, 4, 5, 6 }));
-  const float nan = std::numeric_limits<float>::quiet_NaN(), infinity = HUGE_VALF;
   const std::int32_t large = (std::numeric_limits<std::int32_t>::max)();
 
   start_topic("Files that are too short or too long");
@@ -208,8 +208,12 @@ void test_bad_files(const Directory& directory)
   check_unreadable(directory, "large.gim", size_of_gim(65536, 65536) + two, "it ends after 2 of 4294967296");
   check_unreadable(directory, "large.gim", size_of_gim(1, large) + two, "it ends after 2");
   check_unreadable(directory, "large.pfm", "PF\n2147483647 2147483647\n-1\n" + two, "it ends after 2");
+}
 
+void test_bad_contents(const Directory& directory)
+{
   start_topic("Coordinates that are not finite");
+  const float nan = std::numeric_limits<float>::quiet_NaN(), infinity = HUGE_VALF;
   for(float bad : { nan, -nan, infinity, -infinity })
     for(int k = 0; k < 6; ++k)
     {
@@ -226,7 +230,10 @@ void test_bad_files(const Directory& directory)
   for(const char* header : { "x y\n-1\n", "1 2\n0\n", "1 2\nnan\n", "1 2\nx\n", "1.5 2\n-1\n", "1\n-1\n" })
     check_unreadable(directory, "header.pfm", "PF\n" + (header + two), "");
   check_unreadable(directory, "text.gim", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "");
+}
 
+void test_bad_files(const Directory& directory)
+{
   start_topic("Files of another kind, and none");
   check_unreadable(directory, "image.png", size_of_gim(1, 2) + two, "extension");
   check_unreadable(directory, "image", size_of_gim(1, 2) + two, "extension");
@@ -245,7 +252,7 @@ void test_bad_files(const Directory& directory)
     write_bytes(name, "kept");
     check_unwritable(name, Image(), "size");
     check_unwritable(name, Image(0, 5), "size");
-    for(double bad : { double(nan), HUGE_VAL, 1e39 })
+    for(double bad : { std::numeric_limits<double>::quiet_NaN(), HUGE_VAL, 1e39 })
     {
       Image image(2, 2);
       image(1, 1) = Point(0, bad, 0);
@@ -261,6 +268,8 @@ int main()
 {
   const Directory directory;
   test_bytes(directory);
+  test_bad_sizes(directory);
+  test_bad_contents(directory);
   test_bad_files(directory);
   return test_result();
 }

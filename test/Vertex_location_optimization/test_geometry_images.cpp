@@ -375,7 +375,10 @@ void test_parameters()
   const Image least_squares_result = optimized(image, sphere, least_squares.number_of_iterations(20)).image;
   CHECK(!are_identical(least_squares_result, result));
   CHECK_LESS(error_ratio(image, least_squares_result, distance_to_sphere), 0.3);
+}
 
+void test_references_and_kernels()
+{
   start_topic("The second sequence is that of the reference");
   const Mesh cube_mesh = make_mesh(cube(3));
   Image cube_image = octahedral_sphere(17), smooth = cube_image;
@@ -384,6 +387,7 @@ void test_parameters()
   CHECK(!are_identical(cube_image, smooth));
 
   start_topic("Points of an exact kernel");
+  const Exact_sphere sphere(CGAL::ORIGIN, 1);
   using Exact_point = CGAL::Exact_predicates_exact_constructions_kernel::Point_3;
   CGAL::Geometry_image<Exact_point> exact(9, 9);
   const Image inexact = octahedral_sphere(9);
@@ -477,6 +481,7 @@ int main()
   test_closed_images();
   test_open_images();
   test_parameters();
+  test_references_and_kernels();
   test_bad_images();
   return test_result();
 }

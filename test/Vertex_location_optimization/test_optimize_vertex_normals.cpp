@@ -196,8 +196,11 @@ void test_any_input()
   check_units(Plane_with_normals{ [](double x, double y) { return Vector(std::cos(40 * x), std::sin(50 * y), 0); } });
   check_units(Plane_with_normals{ [](double x, double) { return x < 1.5 ? Vector(0, 0, 0) : Vector(1, 0, 0); } });
   check_units(Plane_with_normals{ [](double, double) { return Vector(0, 0, std::nan("")); } });
+}
 
-  // two faces that fold back on each other
+void test_bad_input()
+{
+  start_topic("faces that fold back on each other, and no faces");
   Mesh fold;
   const auto a = fold.add_vertex(Point(0, 0, 0)), b = fold.add_vertex(Point(1, 0, 0));
   fold.add_face(a, b, fold.add_vertex(Point(0.5, 1, 0)));
@@ -209,7 +212,7 @@ void test_any_input()
 
   Mesh empty;
   auto none = add_vertex_normals(empty);
-  PMP::optimize_vertex_normals(empty, mesh, none);
+  PMP::optimize_vertex_normals(empty, fold, none);
 
 #ifdef CGAL_NO_ASSERTIONS
   // violated preconditions that are not checked leave the map as it is
@@ -293,6 +296,7 @@ int main()
   test_creases();
   test_rim();
   test_any_input();
+  test_bad_input();
   test_threads_and_types();
   test_model();
   return test_result();

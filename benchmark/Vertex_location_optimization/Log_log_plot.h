@@ -74,8 +74,7 @@ public:
         << y.begin - y.end << "\" fill=\"none\" stroke=\"black\"/>\n";
 
     double legend = y.end + 12;
-    const auto write_curves = [&](const std::vector<Curve>& curves, const std::string& style, double radius)
-    {
+    const auto write_curves = [&](const std::vector<Curve>& curves, const std::string& style, double radius) {
       for(const Curve& curve : curves)
       {
         const std::string stroke = " stroke=\"" + curve.color + "\" " + style;

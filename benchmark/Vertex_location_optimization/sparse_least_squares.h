@@ -38,10 +38,9 @@ public:
   // Vertices on the border stay, and those for which `is_fixed(v)`. `mesh` has no removed elements.
   template <typename IsFixed>
   Sparse_least_squares(Mesh& mesh, const ReferenceSurface& reference, const IsFixed& is_fixed, double regularity_weight)
-    : m_mesh(mesh)
-    , m_reference(reference)
-    , m_number_of_samples(mesh.number_of_vertices() + mesh.number_of_edges() + mesh.number_of_faces())
-    , m_feet(m_number_of_samples)
+    : m_mesh(mesh), m_reference(reference),
+      m_number_of_samples(mesh.number_of_vertices() + mesh.number_of_edges() + mesh.number_of_faces()),
+      m_feet(m_number_of_samples)
   {
     number_vertices(is_fixed);
     assemble(regularity_weight);
@@ -168,7 +167,7 @@ bool fit_sparse_least_squares(CGAL::Surface_mesh<Point>& mesh,
                               std::size_t number_of_iterations = 30)
 {
   return Sparse_least_squares<Point, ReferenceSurface>(mesh, reference, is_fixed, regularity_weight)
-      .run(number_of_iterations);
+    .run(number_of_iterations);
 }
 
 #endif // VERTEX_LOCATION_OPTIMIZATION_BENCHMARK_SPARSE_LEAST_SQUARES_H

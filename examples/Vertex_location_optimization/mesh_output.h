@@ -25,8 +25,7 @@
 template <typename Write>
 void write_file(const std::filesystem::path& path, const Write& write)
 {
-  const std::filesystem::path partial =
-    path.parent_path() / (path.stem().string() + ".partial" + path.extension().string());
+  const std::filesystem::path partial = path.parent_path() / (path.stem().string() + ".partial" + path.extension().string());
   try
   {
     if(!std::ofstream(partial) || !write(partial.string()))
@@ -56,8 +55,7 @@ inline CGAL::IO::Color color_of(double value)
 template <typename Point>
 void write_mesh(const std::string& name, const CGAL::Surface_mesh<Point>& mesh)
 {
-  write_file(name, [&](const std::string& partial)
-  {
+  write_file(name, [&](const std::string& partial) {
     return CGAL::IO::write_polygon_mesh(partial, mesh, CGAL::parameters::stream_precision(17));
   });
 }
@@ -70,8 +68,7 @@ void write_colored_PLY(const std::string& name, CGAL::Surface_mesh<Point> mesh, 
   auto colors = mesh.template add_property_map<Vertex, CGAL::IO::Color>("v:color").first;
   for(Vertex v : mesh.vertices())
     colors[v] = color_of(largest > 0 ? get(values, v) / largest : 0);
-  write_file(name, [&](const std::string& partial)
-  {
+  write_file(name, [&](const std::string& partial) {
     std::ofstream out(partial, std::ios::binary);
     CGAL::IO::set_binary_mode(out);
     return out && CGAL::IO::write_PLY(out, mesh) && out.flush();
@@ -85,8 +82,7 @@ void write_VTP(const std::string& name,
                const std::string& scalar_name,
                const ValueMap& values)
 {
-  write_file(name, [&](const std::string& partial)
-  {
+  write_file(name, [&](const std::string& partial) {
     std::ofstream out(partial);
     out.precision(17);
     out << "<VTKFile type=\"PolyData\" version=\"0.1\" byte_order=\"LittleEndian\">\n<PolyData>\n"

@@ -48,8 +48,7 @@ bool read_image(const std::string& filename, Image& image)
 void write_picture(const std::string& name, const Image& image)
 {
   const CGAL::Bbox_3 box = CGAL::bbox_3(image.begin(), image.end());
-  write_file(name, [&](const std::string& partial)
-  {
+  write_file(name, [&](const std::string& partial) {
     std::ofstream out(partial, std::ios::binary);
     out << "P6\n" << image.width() << " " << image.height() << "\n255\n";
     for(const Kernel::Point_3& p : image)
@@ -84,17 +83,17 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
   Mesh full_mesh;
-  CGAL::triangulate(full, full_mesh);
+  CGAL::geometry_image_to_polygon_mesh(full, full_mesh);
   const PMP::Flat_triangle_surface<Mesh> reference(full_mesh);
 
   const Image image = full.downsampled(step);
   Mesh mesh;
-  CGAL::triangulate(image, mesh);
+  CGAL::geometry_image_to_polygon_mesh(image, mesh);
 
   Image optimized = image;
   PMP::optimize_geometry_image<CGAL::Parallel_if_available_tag>(optimized, reference);
   Mesh optimized_mesh;
-  CGAL::triangulate(optimized, optimized_mesh, image); // the same triangles
+  CGAL::geometry_image_to_polygon_mesh(optimized, optimized_mesh, image); // the same triangles
 
   try
   {
@@ -115,5 +114,5 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
   return CGAL::IO::write_geometry_image(prefix + "optimized.gim", optimized, params::verbose(true)) ? EXIT_SUCCESS
-                                                                                                     : EXIT_FAILURE;
+                                                                                                    : EXIT_FAILURE;
 }

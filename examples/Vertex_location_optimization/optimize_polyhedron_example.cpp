@@ -39,13 +39,11 @@ int main(int argc, char* argv[])
 
   Polyhedron remesh;
   CGAL::copy_face_graph(input, remesh);
-  PMP::isotropic_remeshing(faces(remesh), target_edge_length, remesh,
-                           CGAL::parameters::number_of_iterations(5));
+  PMP::isotropic_remeshing(faces(remesh), target_edge_length, remesh, CGAL::parameters::number_of_iterations(5));
   std::cout << "before: " << PMP::approximation_error(remesh, input).mean << std::endl;
 
   const auto report = PMP::optimize_vertex_locations<CGAL::Parallel_if_available_tag>(
     remesh, input, CGAL::parameters::number_of_free_iterations(10).number_of_iterations(20));
-  std::cout << "after " << report.iterations << " iterations: " << PMP::approximation_error(remesh, input).mean
-            << std::endl;
+  std::cout << "after " << report.iterations << " iterations: " << PMP::approximation_error(remesh, input).mean << std::endl;
   return EXIT_SUCCESS;
 }

@@ -51,8 +51,8 @@ namespace po = boost::program_options;
 struct Settings
 {
   std::string input;
-  std::string remesh;              // instead of remeshing
-  std::string output = "./";       // what the names of the files begin with
+  std::string remesh;        // instead of remeshing
+  std::string output = "./"; // what the names of the files begin with
   std::string format = "off";
   std::string reference = "pn";
   double edge_length = 0.02;
@@ -68,44 +68,43 @@ struct Settings
   bool relax_constraints = false;
   bool test_self_intersections = false;
   bool is_sequential = false;
-  double largest_color = 0;        // 0: three times the mean error of the remesh
+  double largest_color = 0; // 0: three times the mean error of the remesh
 };
 
 // Reads the command line. Returns false if it asks for help, which is given.
 bool read_settings(int argc, char* argv[], Settings& s)
 {
   po::options_description options("Options");
-  options.add_options()
-    ("help,h", "print this help")
-    ("edge-length,l", po::value(&s.edge_length)->default_value(s.edge_length, "0.02"),
-     "target edge length of the remesh, relative to the longest side of the bounding box")
-    ("absolute,a", po::bool_switch(&s.is_absolute), "the edge length is in the unit of the input")
-    ("remesh,r", po::value(&s.remesh), "take this remesh instead of remeshing the input")
-    ("remeshing-iterations", po::value(&s.remeshing_iterations)->default_value(s.remeshing_iterations),
-     "iterations of isotropic_remeshing()")
-    ("crease-angle,c", po::value(&s.crease_angle)->default_value(s.crease_angle, "180"),
-     "constrain the edges that are sharper than this angle, in degrees")
-    ("relax-constraints", po::bool_switch(&s.relax_constraints), "fit creases and borders along themselves")
-    ("reference", po::value(&s.reference)->default_value(s.reference),
-     "what the input stands for: pn, a smooth surface, or flat, its faces as they are")
-    ("sharpness-angle", po::value(&s.sharpness_angle)->default_value(s.sharpness_angle, "45"),
-     "where the smooth surface has creases, in degrees")
-    ("iterations,n", po::value(&s.iterations)->default_value(s.iterations), "iterations of the optimization at most")
-    ("free-iterations", po::value(&s.free_iterations)->default_value(s.free_iterations),
-     "so many of them are not restricted to the normals")
-    ("relaxation-steps", po::value(&s.relaxation_steps)->default_value(s.relaxation_steps),
-     "steps of the springs in each free iteration")
-    ("least-squares", po::bool_switch(&s.is_least_squares),
-     "place the vertices by least squares over both surfaces instead of the piecewise linear method")
-    ("regularity-weight", po::value(&s.regularity_weight)->default_value(s.regularity_weight, "0.15"),
-     "what the shape of the triangles counts in least squares")
-    ("test-self-intersections", po::bool_switch(&s.test_self_intersections),
-     "cause no new self-intersection; least squares never does")
-    ("sequential", po::bool_switch(&s.is_sequential), "use one thread")
-    ("output,o", po::value(&s.output)->default_value(s.output), "what the names of the written files begin with")
-    ("format", po::value(&s.format)->default_value(s.format), "format of the meshes: off, obj, ply, stl")
-    ("largest-color", po::value(&s.largest_color),
-     "the error that is red, in the unit of the input; default: three times the mean error of the remesh");
+  options.add_options()("help,h", "print this help")(
+    "edge-length,l", po::value(&s.edge_length)->default_value(s.edge_length, "0.02"),
+    "target edge length of the remesh, relative to the longest side of the bounding box")(
+    "absolute,a", po::bool_switch(&s.is_absolute), "the edge length is in the unit of the input")(
+    "remesh,r", po::value(&s.remesh), "take this remesh instead of remeshing the input")(
+    "remeshing-iterations", po::value(&s.remeshing_iterations)->default_value(s.remeshing_iterations),
+    "iterations of isotropic_remeshing()")("crease-angle,c",
+                                           po::value(&s.crease_angle)->default_value(s.crease_angle, "180"),
+                                           "constrain the edges that are sharper than this angle, in degrees")(
+    "relax-constraints", po::bool_switch(&s.relax_constraints), "fit creases and borders along themselves")(
+    "reference", po::value(&s.reference)->default_value(s.reference),
+    "what the input stands for: pn, a smooth surface, or flat, its faces as they are")(
+    "sharpness-angle", po::value(&s.sharpness_angle)->default_value(s.sharpness_angle, "45"),
+    "where the smooth surface has creases, in degrees")(
+    "iterations,n", po::value(&s.iterations)->default_value(s.iterations), "iterations of the optimization at most")(
+    "free-iterations", po::value(&s.free_iterations)->default_value(s.free_iterations),
+    "so many of them are not restricted to the normals")("relaxation-steps",
+                                                         po::value(&s.relaxation_steps)->default_value(s.relaxation_steps),
+                                                         "steps of the springs in each free iteration")(
+    "least-squares", po::bool_switch(&s.is_least_squares),
+    "place the vertices by least squares over both surfaces instead of the piecewise linear method")(
+    "regularity-weight", po::value(&s.regularity_weight)->default_value(s.regularity_weight, "0.15"),
+    "what the shape of the triangles counts in least squares")("test-self-intersections",
+                                                               po::bool_switch(&s.test_self_intersections),
+                                                               "cause no new self-intersection; least squares never does")(
+    "sequential", po::bool_switch(&s.is_sequential), "use one thread")(
+    "output,o", po::value(&s.output)->default_value(s.output), "what the names of the written files begin with")(
+    "format", po::value(&s.format)->default_value(s.format), "format of the meshes: off, obj, ply, stl")(
+    "largest-color", po::value(&s.largest_color),
+    "the error that is red, in the unit of the input; default: three times the mean error of the remesh");
   po::options_description hidden;
   hidden.add_options()("input", po::value(&s.input));
   po::positional_options_description positional;
@@ -125,8 +124,7 @@ bool read_settings(int argc, char* argv[], Settings& s)
   }
   po::notify(values);
 
-  auto require = [](bool condition, const std::string& message)
-  {
+  auto require = [](bool condition, const std::string& message) {
     if(!condition)
       throw std::runtime_error(message);
   };
@@ -146,8 +144,7 @@ bool read_settings(int argc, char* argv[], Settings& s)
 
 Mesh read_mesh(const std::string& name)
 {
-  auto require = [&](bool condition, const std::string& message)
-  {
+  auto require = [&](bool condition, const std::string& message) {
     if(!condition)
       throw std::runtime_error(name + ": " + message);
   };
@@ -182,9 +179,9 @@ Regularity measure_regularity(const Mesh& mesh)
     const Mesh::Halfedge_index h = mesh.halfedge(f);
     const std::array<Point, 3> p{ mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
                                   mesh.point(mesh.target(mesh.next(h))) };
-    const double smallest = (std::min)({ CGAL::approximate_angle(p[0], p[1], p[2]),
-                                         CGAL::approximate_angle(p[1], p[2], p[0]),
-                                         CGAL::approximate_angle(p[2], p[0], p[1]) });
+    const double smallest =
+      (std::min)({ CGAL::approximate_angle(p[0], p[1], p[2]), CGAL::approximate_angle(p[1], p[2], p[0]),
+                   CGAL::approximate_angle(p[2], p[0], p[1]) });
     regularity.mean += smallest / mesh.number_of_faces();
     regularity.min = (std::min)(regularity.min, smallest);
   }
@@ -198,8 +195,7 @@ Mesh refine(const Mesh& mesh, const Surface& reference)
   Mesh refined = mesh;
   CGAL::Subdivision_method_3::PTQ(refined, CGAL::Linear_mask_3<Mesh>(&refined, refined.points()));
   for(Mesh::Vertex_index v : refined.vertices())
-    refined.point(v) = mesh.has_valid_index(v) ? mesh.point(v)
-                                               : reference.point(reference.project(refined.point(v)));
+    refined.point(v) = mesh.has_valid_index(v) ? mesh.point(v) : reference.point(reference.project(refined.point(v)));
   return refined;
 }
 
@@ -222,8 +218,7 @@ Measures measure(const Mesh& mesh, const Mesh& refined_input, const Surface& ref
 
 void print_table(const Measures& before, const Measures& after, double side)
 {
-  auto print_row = [&](const char* name, double a, double b, bool is_error)
-  {
+  auto print_row = [&](const char* name, double a, double b, bool is_error) {
     const double unit = is_error ? side * 1e-4 : 1;
     std::printf("  %-32s %10.3f %10.3f", name, a / unit, b / unit);
     if(is_error && a > 0)
@@ -242,8 +237,7 @@ void print_table(const Measures& before, const Measures& after, double side)
 }
 
 // Shows the progress on a terminal.
-class Progress_bar
-  : public PMP::Vertex_location_optimization_default_visitor
+class Progress_bar : public PMP::Vertex_location_optimization_default_visitor
 {
 public:
   explicit Progress_bar(std::size_t iterations) : m_iterations(iterations), m_is_visible(is_terminal()) {}
@@ -321,8 +315,8 @@ void optimize(const Settings& s, const Mesh& input, Mesh& mesh, Crease_map is_cr
   write_colored_PLY(s.output + "optimized_error.ply", mesh, errors, largest_color);
   write_VTP(s.output + "remesh_error.vtp", remesh, "error", errors_before);
   write_VTP(s.output + "optimized_error.vtp", mesh, "error", errors);
-  std::printf("written: %sremesh*, %soptimized*; colors from 0 (blue) to %.3g (red)\n", s.output.c_str(),
-              s.output.c_str(), largest_color);
+  std::printf("written: %sremesh*, %soptimized*; colors from 0 (blue) to %.3g (red)\n", s.output.c_str(), s.output.c_str(),
+              largest_color);
 }
 
 template <typename Concurrency>
@@ -332,8 +326,7 @@ void run(const Settings& s)
   const double side = longest_side(input);
   if(!(side > 0))
     throw std::runtime_error(s.input + ": all its points are the same");
-  std::printf("%s: %u vertices\n", std::filesystem::path(s.input).filename().string().c_str(),
-              input.number_of_vertices());
+  std::printf("%s: %u vertices\n", std::filesystem::path(s.input).filename().string().c_str(), input.number_of_vertices());
 
   CGAL::Real_timer timer;
   timer.start();

@@ -41,8 +41,7 @@ int main(int argc, char* argv[])
   for(const double relative_edge_length : { 0.1, 0.07, 0.05, 0.035 })
   {
     Mesh remesh = input;
-    PMP::isotropic_remeshing(faces(remesh), relative_edge_length * side, remesh,
-                             CGAL::parameters::number_of_iterations(5));
+    PMP::isotropic_remeshing(faces(remesh), relative_edge_length * side, remesh, CGAL::parameters::number_of_iterations(5));
     const double before = PMP::approximation_error(remesh, reference).mean;
     PMP::optimize_vertex_locations<CGAL::Parallel_if_available_tag>(remesh, reference);
     const double after = PMP::approximation_error(remesh, reference).mean;

@@ -8,6 +8,6 @@
 
 #include <CGAL/Geometry_image/Geometry_image.h>
 #include <CGAL/Geometry_image/IO.h>
-#include <CGAL/Geometry_image/triangulate.h>
+#include <CGAL/Geometry_image/geometry_image_to_polygon_mesh.h>
 
 #endif // CGAL_GEOMETRY_IMAGE_H

@@ -12,7 +12,7 @@
 
 #include <CGAL/Geometry_image/Geometry_image.h>
 #include <CGAL/Geometry_image/internal/make_image_of_mesh.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/read_parameters.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/read_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 

@@ -27,7 +27,10 @@ using Double_kernel = CGAL::Simple_cartesian<double>;
 using Double_point = Double_kernel::Point_3;
 
 template <typename To, typename From>
-To converted(const From& p) { return To(p.x(), p.y(), p.z()); }
+To converted(const From& p)
+{
+  return To(p.x(), p.y(), p.z());
+}
 
 struct Double_point_map
 {
@@ -47,8 +50,7 @@ struct Double_point_map
 // CGAL's closest points on a triangle mesh, with nothing of the package
 class Distance_to_mesh
 {
-  using Primitive =
-    CGAL::AABB_face_graph_triangle_primitive<Mesh, Double_point_map, CGAL::Tag_true, CGAL::Tag_true>;
+  using Primitive = CGAL::AABB_face_graph_triangle_primitive<Mesh, Double_point_map, CGAL::Tag_true, CGAL::Tag_true>;
 #if CGAL_VERSION_MAJOR >= 6
   using Tree = CGAL::AABB_tree<CGAL::AABB_traits_3<Double_kernel, Primitive>>;
 #else

@@ -17,7 +17,10 @@ class Exact_sphere
 public:
   using Point_3 = Point;
   using Vector_3 = Vector;
-  struct Foot { std::shared_ptr<Vector> direction; }; // in memory of its own: no thread may read what another assigns
+  struct Foot
+  {
+    std::shared_ptr<Vector> direction;
+  }; // in memory of its own: no thread may read what another assigns
 
   Exact_sphere(const Point& center, double radius) : m_center(center), m_radius(radius) {}
 

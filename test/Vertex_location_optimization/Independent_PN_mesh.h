@@ -30,14 +30,11 @@ public:
     for(Mesh::Face_index f : mesh.faces())
       face_normals.push_back(unit(area_vector(corners(mesh, f))));
 
-    auto is_smooth = [&](Mesh::Halfedge_index h)
-    {
-      return !mesh.is_border(mesh.edge(h)) &&
-             face_normals[mesh.face(h)] * face_normals[mesh.face(mesh.opposite(h))] >=
-               std::cos(sharpness_angle * CGAL_PI / 180);
+    auto is_smooth = [&](Mesh::Halfedge_index h) {
+      return !mesh.is_border(mesh.edge(h)) && face_normals[mesh.face(h)] * face_normals[mesh.face(mesh.opposite(h))] >=
+                                                std::cos(sharpness_angle * CGAL_PI / 180);
     };
-    auto weighted_normal = [&](Mesh::Halfedge_index h) -> Vector
-    {
+    auto weighted_normal = [&](Mesh::Halfedge_index h) -> Vector {
       const Vector a = mesh.point(mesh.source(h)) - mesh.point(mesh.target(h));
       const Vector b = mesh.point(mesh.target(mesh.next(h))) - mesh.point(mesh.target(h));
       return std::atan2(norm(CGAL::cross_product(a, b)), a * b) * face_normals[mesh.face(h)];
@@ -51,7 +48,7 @@ public:
       while(is_smooth(mesh.next(g)) && (g = mesh.opposite(mesh.next(g))) != h)
         sum += weighted_normal(g);
       if(g != h || !is_smooth(mesh.next(g))) // no full turn: the other way as well
-        for(g = h; is_smooth(g); )
+        for(g = h; is_smooth(g);)
         {
           g = mesh.prev(mesh.opposite(g));
           sum += weighted_normal(g);
@@ -150,8 +147,8 @@ private:
     Vector sum(0, 0, 0);
     for(int i = 0; i <= 3; ++i)
       for(int j = 0; i + j <= 3; ++j)
-        sum += 6 / (factorial[i] * factorial[j] * factorial[3 - i - j]) *
-               std::pow(u, i) * std::pow(v, j) * std::pow(w, 3 - i - j) * b[i][j];
+        sum += 6 / (factorial[i] * factorial[j] * factorial[3 - i - j]) * std::pow(u, i) * std::pow(v, j) *
+               std::pow(w, 3 - i - j) * b[i][j];
     return CGAL::ORIGIN + sum;
   }
 

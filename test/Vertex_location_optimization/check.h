@@ -12,7 +12,8 @@
 #include <string>
 
 // Checks that are on in every build. A check that fails is printed with its place, its expression and its values; the
-// test goes on. A main ends with `return test_result();`.
+// test goes on. A main ends with `return test_result();`. Boost's lightweight_test has no topics and passes if nothing is
+// checked.
 
 namespace check {
 
@@ -71,7 +72,7 @@ inline int test_result()
 #define CHECK_AT_MOST(a, b) check::check((a) <= (b), __FILE__, __LINE__, #a " <= " #b, a, b)
 #define CHECK_AT_LEAST(a, b) check::check((a) >= (b), __FILE__, __LINE__, #a " >= " #b, a, b)
 // |a - b| <= tolerance; false for a NaN
-#define CHECK_NEAR(a, b, tolerance)                                                                                    \
+#define CHECK_NEAR(a, b, tolerance)                                                                                         \
   check::check(std::abs((a) - (b)) <= (tolerance), __FILE__, __LINE__, #a " == " #b " +- " #tolerance, a, b, tolerance)
 
 #endif // VERTEX_LOCATION_OPTIMIZATION_TEST_CHECK_H

@@ -19,8 +19,7 @@ inline void check_equivariance(const Mesh& remesh, const Mesh& reference)
 {
   namespace PMP = CGAL::Polygon_mesh_processing;
 
-  auto optimized = [&](const auto& transformation)
-  {
+  auto optimized = [&](const auto& transformation) {
     Mesh mesh = remesh, moved_reference = reference;
     for(Point& p : mesh.points())
       p = transformation(p);
@@ -35,8 +34,7 @@ inline void check_equivariance(const Mesh& remesh, const Mesh& reference)
   const std::vector<Point> result = optimized([](const Point& p) { return p; });
   CHECK_AT_LEAST(largest_distance(result, points_of(remesh)), 1e-4 * size);
 
-  auto check_transformation = [&](double scale, const auto& transformation)
-  {
+  auto check_transformation = [&](double scale, const auto& transformation) {
     std::vector<Point> expected = result;
     for(Point& p : expected)
       p = transformation(p);

@@ -31,8 +31,8 @@ inline void check_connectivity(const Mesh& before, const Mesh& after)
   bool same = after.number_of_halfedges() == before.number_of_halfedges();
   if(same)
     for(Mesh::Halfedge_index h : before.halfedges())
-      same = same && before.target(h) == after.target(h) && before.next(h) == after.next(h) &&
-             before.face(h) == after.face(h);
+      same =
+        same && before.target(h) == after.target(h) && before.next(h) == after.next(h) && before.face(h) == after.face(h);
   CHECK(same);
 }
 

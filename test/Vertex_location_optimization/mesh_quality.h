@@ -42,8 +42,7 @@ Errors measure_errors(const Mesh& mesh, int splits, const Distance& distance)
   {
     const std::array<Point, 3> t = corners(mesh, f);
     const double area = norm(area_vector(t));
-    auto distance_at = [&](double u, double v)
-    {
+    auto distance_at = [&](double u, double v) {
       const double d = distance(t[0] + (u * (t[1] - t[0]) + v * (t[2] - t[0])));
       errors.max = (std::max)(errors.max, d);
       return d;

@@ -24,7 +24,10 @@ struct Exact_sphere
 {
   using Point_3 = Point;
   using Vector_3 = Vector;
-  struct Foot { Vector direction; };
+  struct Foot
+  {
+    Vector direction;
+  };
 
   Foot project(const Point& p) const
   {
@@ -42,13 +45,16 @@ bool operator==(const PMP::Approximation_error& a, const PMP::Approximation_erro
 }
 
 template <typename F>
-Mesh moved(const Soup& soup, const F& f) { return make_mesh(transformed(soup, f)); }
+Mesh moved(const Soup& soup, const F& f)
+{
+  return make_mesh(transformed(soup, f));
+}
 
 double area(const Mesh& mesh, Mesh::Face_index f)
 {
   const Mesh::Halfedge_index h = mesh.halfedge(f);
-  return std::sqrt(CGAL::squared_area(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
-                                      mesh.point(mesh.target(mesh.next(h)))));
+  return std::sqrt(
+    CGAL::squared_area(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h)))));
 }
 
 void test_parallel_planes()
@@ -59,8 +65,8 @@ void test_parallel_planes()
     auto large = [&](const Point& p) { return Point(scale * (3 * p.x() - 6), scale * (3 * p.y() - 6), 0); };
     auto lifted = [&](const Point& p) { return Point(scale * p.x(), scale * p.y(), scale * 0.25); };
     const Mesh reference = moved(planar_patch(8), large), mesh = moved(planar_patch(4), lifted);
-    for(const PMP::Approximation_error& e : { PMP::approximation_error(mesh, reference),
-                                              PMP::approximation_error(mesh, Flat_surface(reference)) })
+    for(const PMP::Approximation_error& e :
+        { PMP::approximation_error(mesh, reference), PMP::approximation_error(mesh, Flat_surface(reference)) })
     {
       CHECK_NEAR(e.mean, 0.25 * scale, 1e-12 * scale);
       CHECK_NEAR(e.rms, 0.25 * scale, 1e-12 * scale);
@@ -73,16 +79,14 @@ void test_translation()
 {
   start_topic("a known translation, both directions");
   // the unit square moved by its own width along itself: the distance is x over the part that sticks out
-  const Soup square = transformed(triangle_grid(20, 20, false, 0), [](const Point& p)
-  {
-    return Point(p.x() / 20, p.y() / 20, 0);
-  });
+  const Soup square =
+    transformed(triangle_grid(20, 20, false, 0), [](const Point& p) { return Point(p.x() / 20, p.y() / 20, 0); });
   const Mesh here = make_mesh(square);
   const Mesh there = moved(square, [](const Point& p) { return Point(p.x() + 1, p.y(), 0); });
   const Mesh half = moved(square, [](const Point& p) { return Point(p.x() / 2, p.y(), 0); });
 
   const PMP::Approximation_error e = PMP::approximation_error(there, here);
-  CHECK_NEAR(e.mean, 1. / 2, 1e-12);                // the sampling is exact for what is linear
+  CHECK_NEAR(e.mean, 1. / 2, 1e-12); // the sampling is exact for what is linear
   CHECK_NEAR(e.rms, std::sqrt(1. / 3), 1e-4);
   CHECK_NEAR(e.max, 1., 1e-12);
 
@@ -144,8 +148,7 @@ void test_number_of_points()
         PMP::approximation_error(mesh, corner, number_of_points_per_face(1)));
   CHECK(PMP::approximation_error(mesh, corner, number_of_points_per_face(17)) ==
         PMP::approximation_error(mesh, corner, number_of_points_per_face(25)));
-  CHECK(PMP::approximation_error(mesh, corner) ==
-        PMP::approximation_error(mesh, corner, number_of_points_per_face(64)));
+  CHECK(PMP::approximation_error(mesh, corner) == PMP::approximation_error(mesh, corner, number_of_points_per_face(64)));
 }
 
 void test_error_maps()
@@ -202,10 +205,8 @@ void test_normal_deviation()
   const Mesh reference = moved(planar_patch(8), [](const Point& p) { return Point(3 * p.x() - 6, 3 * p.y() - 6, 0); });
   // a plane that is turned by 30 degrees about the y-axis
   const double turn = CGAL_PI / 6;
-  Mesh mesh = moved(planar_patch(4), [&](const Point& p)
-  {
-    return Point(std::cos(turn) * p.x(), p.y(), -std::sin(turn) * p.x());
-  });
+  Mesh mesh =
+    moved(planar_patch(4), [&](const Point& p) { return Point(std::cos(turn) * p.x(), p.y(), -std::sin(turn) * p.x()); });
   CHECK_NEAR(PMP::normal_deviation(mesh, reference), 30., 1e-9);
   CHECK_NEAR(PMP::normal_deviation(mesh, reference, CGAL::parameters::number_of_points_per_face(4)), 30., 1e-9);
 
@@ -258,11 +259,10 @@ void test_degenerate_input()
 
   // a face without an area has a maximum, and a mean in the map
   Mesh needle;
-  const Mesh::Face_index f = needle.add_face(needle.add_vertex(Point(0, 0, 1)), needle.add_vertex(Point(1, 0, 1)),
-                                             needle.add_vertex(Point(2, 0, 1)));
+  const Mesh::Face_index f =
+    needle.add_face(needle.add_vertex(Point(0, 0, 1)), needle.add_vertex(Point(1, 0, 1)), needle.add_vertex(Point(2, 0, 1)));
   auto face_errors = needle.add_property_map<Mesh::Face_index, double>("f:error", -1).first;
-  const PMP::Approximation_error e =
-    PMP::approximation_error(needle, plane, CGAL::parameters::face_error_map(face_errors));
+  const PMP::Approximation_error e = PMP::approximation_error(needle, plane, CGAL::parameters::face_error_map(face_errors));
   CHECK_EQUAL(e.mean, 0.);
   CHECK_EQUAL(e.rms, 0.);
   CHECK_NEAR(e.max, 1., 1e-12);
@@ -278,8 +278,7 @@ void test_degenerate_input()
 
 #ifdef CGAL_NO_ASSERTIONS
   // violated preconditions that are not checked
-  auto is_infinite = [](const PMP::Approximation_error& x)
-  {
+  auto is_infinite = [](const PMP::Approximation_error& x) {
     return std::isinf(x.mean) && std::isinf(x.rms) && std::isinf(x.max);
   };
   const Mesh nan = moved(planar_patch(2), [](const Point& p) { return Point(p.x(), p.y(), std::nan("")); });
@@ -295,10 +294,14 @@ void test_degenerate_input()
 void test_models()
 {
   start_topic("models of CGAL");
-  struct Figures { const char* name; double mean, rms, max; };
-  for(const Figures& figures : { Figures{ "armadillo", 57.0221e-4, 67.4302e-4, 169.259e-4 },
-                                 Figures{ "knot1", 54.3765e-4, 64.6299e-4, 165.232e-4 },
-                                 Figures{ "fandisk", 58.2218e-4, 66.2516e-4, 156.001e-4 } })
+  struct Figures
+  {
+    const char* name;
+    double mean, rms, max;
+  };
+  for(const Figures& figures :
+      { Figures{ "armadillo", 57.0221e-4, 67.4302e-4, 169.259e-4 }, Figures{ "knot1", 54.3765e-4, 64.6299e-4, 165.232e-4 },
+        Figures{ "fandisk", 58.2218e-4, 66.2516e-4, 156.001e-4 } })
   {
     Mesh reference;
     CHECK(CGAL::IO::read_polygon_mesh(CGAL::data_file_path(std::string("meshes/") + figures.name + ".off"), reference));

@@ -42,8 +42,14 @@ bool are_same(const std::vector<Point>& a, const std::vector<Point>& b)
 template <typename F>
 bool violates_precondition(const F& f)
 {
-  try { f(); }
-  catch(const CGAL::Precondition_exception&) { return true; }
+  try
+  {
+    f();
+  }
+  catch(const CGAL::Precondition_exception&)
+  {
+    return true;
+  }
   return false;
 }
 
@@ -110,12 +116,10 @@ Mesh with_degenerate_faces(Mesh mesh)
   return mesh;
 }
 
-int main()
-{
-  CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) {}); // no words, only exceptions
-  const Mesh sphere = make_mesh(transformed(icosphere(2), rotated)), reference = make_mesh(icosphere(3)), empty;
-  const std::vector<Point> expected = check_sane(sphere, reference);
+const Mesh sphere = make_mesh(transformed(icosphere(2), rotated)), reference = make_mesh(icosphere(3)), empty;
 
+void test_refused()
+{
   start_topic("An empty remesh or reference");
   check_finite(empty, reference);
   check_finite(empty, empty);
@@ -142,7 +146,10 @@ int main()
       with_isolated_vertex.add_vertex(mesh.point(Vertex(10)));
       check_refused(with_isolated_vertex, reference);
     }
+}
 
+void test_degenerate_faces()
+{
   start_topic("Degenerate faces");
   check_sane(with_degenerate_faces(sphere), reference);
   check_sane(sphere, with_degenerate_faces(reference));
@@ -174,6 +181,21 @@ int main()
   Mesh folded = sphere; // a vertex on a neighbor's neighbor
   folded.point(Vertex(30)) = folded.point(folded.target(folded.next(folded.opposite(folded.halfedge(Vertex(30))))));
   check_sane(folded, reference);
+}
+
+// a mesh and a copy of it beside
+Mesh copied(const Mesh& mesh)
+{
+  Mesh both = mesh, copy = mesh;
+  for(Point& p : copy.points())
+    p = p + Vector(0, 0, 4);
+  both += copy;
+  return both;
+}
+
+void test_components()
+{
+  const std::vector<Point> expected = check_sane(sphere, reference);
 
   start_topic("Isolated vertices");
   Mesh mesh = sphere;
@@ -192,21 +214,16 @@ int main()
   check_refused(sphere, only_vertices);
 
   start_topic("Several components are optimized each by itself");
-  const auto copied = [](const Mesh& m)
-  {
-    Mesh both = m, copy = m;
-    for(Point& p : copy.points())
-      p = p + Vector(0, 0, 4);
-    both += copy;
-    return both;
-  };
   result = check_sane(copied(sphere), copied(reference));
   for(std::size_t i = 0; i < expected.size(); ++i)
   {
     CHECK_AT_MOST(norm(result[i] - expected[i]), 1e-9);
     CHECK_AT_MOST(norm(result[i + expected.size()] - (expected[i] + Vector(0, 0, 4))), 1e-9);
   }
+}
 
+void test_odd_connectivity()
+{
   start_topic("Non-manifold vertices");
   Mesh pinched = copied(sphere); // two spheres with one vertex in common
   const Vertex kept(0), lost(static_cast<Mesh::size_type>(sphere.number_of_vertices()));
@@ -229,7 +246,10 @@ int main()
   CGAL::make_tetrahedron(Point(1, 0, 0), Point(0, 1, 0), Point(0, 0, 1), Point(0, 0, 0), tetrahedron);
   check_finite(tetrahedron, tetrahedron);
   check_finite(tetrahedron, reference);
+}
 
+void test_scales()
+{
   start_topic("Huge and tiny coordinates");
   const Mesh small_sphere = make_mesh(transformed(icosphere(1), rotated)), small_reference = make_mesh(icosphere(1));
   for(double scale : { 1e-300, 1e-200, 1e-160, 1e-100, 1e100, 1e153, 1e160, 1e200, 1e300 })
@@ -239,5 +259,15 @@ int main()
     check_finite(scaled(small_sphere, scale), small_reference);
     check_finite(small_sphere, scaled(small_reference, scale));
   }
+}
+
+int main()
+{
+  CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) {}); // no words, only exceptions
+  test_refused();
+  test_degenerate_faces();
+  test_components();
+  test_odd_connectivity();
+  test_scales();
   return test_result();
 }

@@ -21,7 +21,11 @@ class Exact_cylinder
 public:
   using Point_3 = Point;
   using Vector_3 = Vector;
-  struct Foot { Vector direction; double height; };
+  struct Foot
+  {
+    Vector direction;
+    double height;
+  };
 
   Foot project(const Point& p) const { return { unit(Vector(p.x(), p.y(), 0)), p.z() }; }
   Foot project(const Point& p, const Foot&) const { return project(p); }
@@ -98,10 +102,8 @@ void test_planes()
   {
     auto place = [&](const Point& p) { return CGAL::ORIGIN + size * (rigid_motion(p) - CGAL::ORIGIN); };
     const Mesh plane = make_mesh(transformed(planar_patch(12), place));
-    const Mesh reference = make_mesh(transformed(triangle_grid(5, 5), [&](const Point& p)
-    {
-      return place(Point(4 * p.x() - 3, 4 * p.y() - 3, 0));
-    }));
+    const Mesh reference = make_mesh(
+      transformed(triangle_grid(5, 5), [&](const Point& p) { return place(Point(4 * p.x() - 3, 4 * p.y() - 3, 0)); }));
     const double extent = 12 * size;
 
     Mesh mesh = plane;
@@ -116,7 +118,8 @@ void test_planes()
     auto edge_is_constrained = mesh.add_property_map<Mesh::Edge_index, bool>("constrained", false).first;
     vertex_is_constrained[Mesh::Vertex_index(70)] = true;
     edge_is_constrained[mesh.edge(mesh.halfedge(Mesh::Vertex_index(100)))] = true;
-    const auto constrained_report = PMP::optimize_vertex_locations(mesh, reference,
+    const auto constrained_report = PMP::optimize_vertex_locations(
+      mesh, reference,
       CGAL::parameters::vertex_is_constrained_map(vertex_is_constrained).edge_is_constrained_map(edge_is_constrained));
     CHECK_AT_MOST(largest_distance(points_of(mesh), points_of(plane)), 1e-12 * extent);
     CHECK(constrained_report.converged);

@@ -22,8 +22,7 @@ using Edge_map = Mesh::Property_map<Mesh::Edge_index, bool>;
 Soup can(std::size_t columns, std::size_t rows, double height)
 {
   const double step = 2 * CGAL_PI / columns;
-  Soup soup = transformed(triangle_grid(columns, rows, true), [&](const Point& p)
-  {
+  Soup soup = transformed(triangle_grid(columns, rows, true), [&](const Point& p) {
     return Point(std::cos(p.x() * step), std::sin(p.x() * step), p.y() * height / rows);
   });
   const std::size_t bottom = soup.points.size(), top = bottom + 1, last_row = rows * columns;
@@ -81,16 +80,14 @@ void test_rims(double height, std::size_t rows, bool shortened)
   const Is_on_rim is_on_rim{ height };
   const Mesh reference = make_mesh(can(480, 8, height));
   // turned by less than a column of the reference: no sample on its vertices
-  const Mesh remesh = make_mesh(transformed(can(columns, rows, height), [](const Point& p)
-  {
+  const Mesh remesh = make_mesh(transformed(can(columns, rows, height), [](const Point& p) {
     const double c = std::cos(0.005), s = std::sin(0.005);
     return Point(c * p.x() - s * p.y(), s * p.x() + c * p.y(), p.z());
   }));
 
   for(bool is_flat : { true, false })
   {
-    auto optimize = [&](Mesh& mesh, bool relax)
-    {
+    auto optimize = [&](Mesh& mesh, bool relax) {
       const auto np = CGAL::parameters::edge_is_constrained_map(mark(mesh, is_on_rim)).relax_constraints(relax);
       if(is_flat)
         PMP::optimize_vertex_locations(mesh, PMP::Flat_triangle_surface<Mesh>(reference), np);
@@ -119,11 +116,12 @@ void test_borders()
   // rows of the same height on both: the borders are at the same heights
   const Mesh remesh = make_mesh(cylinder(columns, 6));
   const double height = remesh.point(*std::prev(remesh.vertices().end())).z();
-  const Mesh reference = make_mesh(transformed(cylinder(480, 20), [&](const Point& p)
-  {
+  const Mesh reference = make_mesh(transformed(cylinder(480, 20), [&](const Point& p) {
     const double reference_height = 20 * 2 * CGAL_PI / 480 * std::sqrt(3.) / 2;
-    return Point(p.x(), p.y(), p.z() == 0 ? 0 : std::abs(p.z() / reference_height - 1) < 1e-12 ? height
-                                                                                              : p.z() / reference_height * height);
+    return Point(p.x(), p.y(),
+                 p.z() == 0                                       ? 0
+                 : std::abs(p.z() / reference_height - 1) < 1e-12 ? height
+                                                                  : p.z() / reference_height * height);
   }));
   Mesh fixed = remesh, relaxed = remesh;
   PMP::optimize_vertex_locations(fixed, reference);
@@ -151,11 +149,12 @@ void test_cube()
   const Mesh reference = make_mesh(cube(0));
   const Mesh remesh = make_mesh(cube(3));
   Mesh mesh = remesh;
-  PMP::optimize_vertex_locations(mesh, reference, CGAL::parameters::relax_constraints(true).edge_is_constrained_map(
-    mark(mesh, [](const Point& p, const Point& q)
-    {
+  PMP::optimize_vertex_locations(
+    mesh, reference,
+    CGAL::parameters::relax_constraints(true).edge_is_constrained_map(mark(mesh, [](const Point& p, const Point& q) {
       return (p.x() == q.x() && std::abs(p.x()) == 1) + (p.y() == q.y() && std::abs(p.y()) == 1) +
-             (p.z() == q.z() && std::abs(p.z()) == 1) == 2;
+               (p.z() == q.z() && std::abs(p.z()) == 1) ==
+             2;
     })));
   CHECK_AT_MOST(largest_distance(points_of(mesh), points_of(remesh)), 1e-12);
 }
@@ -178,10 +177,8 @@ void test_edges_without_crease()
   constexpr std::size_t columns = 24;
   Mesh part = make_mesh(can(480, 8, 1));
   const Is_on_rim is_on_rim{ 1 };
-  const Edge_map is_crease = mark(part, [&](const Point& p, const Point& q)
-  {
-    return is_on_rim(p, q) && p.y() > 0 && q.y() > 0;
-  });
+  const Edge_map is_crease =
+    mark(part, [&](const Point& p, const Point& q) { return is_on_rim(p, q) && p.y() > 0 && q.y() > 0; });
   const Mesh coarse = make_mesh(can(columns, 4, 1));
   Mesh relaxed = coarse;
   PMP::optimize_vertex_locations(

@@ -109,19 +109,14 @@ void check_fails(const std::string& name, const std::string& why, const F& f)
   check::check(errors.find(why) != std::string::npos, __FILE__, __LINE__, "the message says why", errors, why);
 }
 
-void check_unreadable(const Directory& directory,
-                      const std::string& name,
-                      const std::string& bytes,
-                      const std::string& why)
+void check_unreadable(const Directory& directory, const std::string& name, const std::string& bytes, const std::string& why)
 {
   const std::string file = directory.file(name);
   write_bytes(file, bytes);
   const Image before = open_patch(3, 2);
   Image image = before;
-  check_fails(file, why, [&](bool verbose)
-  {
-    return CGAL::IO::read_geometry_image(file, image, CGAL::parameters::verbose(verbose));
-  });
+  check_fails(file, why,
+              [&](bool verbose) { return CGAL::IO::read_geometry_image(file, image, CGAL::parameters::verbose(verbose)); });
   CHECK_EQUAL(errors_of([&] { CGAL::IO::read_geometry_image(file, image); }), ""); // by default
   CHECK(are_identical(image, before));
 }
@@ -129,10 +124,8 @@ void check_unreadable(const Directory& directory,
 void check_unwritable(const std::string& file, const Image& image, const std::string& why)
 {
   const std::string before = read_bytes(file);
-  check_fails(file, why, [&](bool verbose)
-  {
-    return CGAL::IO::write_geometry_image(file, image, CGAL::parameters::verbose(verbose));
-  });
+  check_fails(file, why,
+              [&](bool verbose) { return CGAL::IO::write_geometry_image(file, image, CGAL::parameters::verbose(verbose)); });
   CHECK_EQUAL(errors_of([&] { CGAL::IO::write_geometry_image(file, image); }), ""); // by default
   CHECK_EQUAL(read_bytes(file), before);
 }
@@ -143,9 +136,9 @@ void test_bytes(const Directory& directory)
   const float z = -1e-3f;
   const std::vector<float> rows[] = { { 0, 0.5, z, 0, 1.5, z }, { 1, 0.5, z, 1, 1.5, z }, { 2, 0.5, z, 2, 1.5, z } };
   const std::string gim = size_of_gim(2, 3) + samples(rows[0]) + samples(rows[1]) + samples(rows[2]);
-  auto pfm = [&](const std::string& header, bool is_little_endian)
-  {
-    return header + samples(rows[2], is_little_endian) + samples(rows[1], is_little_endian) + samples(rows[0], is_little_endian);
+  auto pfm = [&](const std::string& header, bool is_little_endian) {
+    return header + samples(rows[2], is_little_endian) + samples(rows[1], is_little_endian) +
+           samples(rows[0], is_little_endian);
   };
 
   start_topic("Written files");
@@ -155,8 +148,7 @@ void test_bytes(const Directory& directory)
   CHECK_EQUAL(read_bytes(directory.file("a.pfm")), pfm("PF\n2 3\n-1\n", true));
 
   start_topic("Files that are read");
-  auto check_read = [&](const std::string& name, const std::string& bytes)
-  {
+  auto check_read = [&](const std::string& name, const std::string& bytes) {
     write_bytes(directory.file(name), bytes);
     Image result = open_patch(4, 4);
     CHECK(CGAL::IO::read_geometry_image(directory.file(name), result, CGAL::parameters::verbose(true)));
@@ -183,15 +175,15 @@ void test_bytes(const Directory& directory)
       for(std::size_t j = 0; j < 17; ++j)
         CHECK_AT_MOST(norm(once(i, j) - sphere(i, j)), 1e-7);
     Mesh mesh;
-    CGAL::triangulate(once, mesh);
+    CGAL::geometry_image_to_polygon_mesh(once, mesh);
     CHECK(CGAL::is_closed(mesh));
   }
 }
 
-void test_bad_files(const Directory& directory)
+const std::string two(samples({ 1, 2, 3, 4, 5, 6 })); // samples
+
+void test_bad_sizes(const Directory& directory)
 {
-  const std::string two(samples({ 1, 2, 3, 4, 5, 6 }));
-  const float nan = std::numeric_limits<float>::quiet_NaN(), infinity = HUGE_VALF;
   const std::int32_t large = (std::numeric_limits<std::int32_t>::max)();
 
   start_topic("Files that are too short or too long");
@@ -216,8 +208,12 @@ void test_bad_files(const Directory& directory)
   check_unreadable(directory, "large.gim", size_of_gim(65536, 65536) + two, "it ends after 2 of 4294967296");
   check_unreadable(directory, "large.gim", size_of_gim(1, large) + two, "it ends after 2");
   check_unreadable(directory, "large.pfm", "PF\n2147483647 2147483647\n-1\n" + two, "it ends after 2");
+}
 
+void test_bad_contents(const Directory& directory)
+{
   start_topic("Coordinates that are not finite");
+  const float nan = std::numeric_limits<float>::quiet_NaN(), infinity = HUGE_VALF;
   for(float bad : { nan, -nan, infinity, -infinity })
     for(int k = 0; k < 6; ++k)
     {
@@ -234,7 +230,10 @@ void test_bad_files(const Directory& directory)
   for(const char* header : { "x y\n-1\n", "1 2\n0\n", "1 2\nnan\n", "1 2\nx\n", "1.5 2\n-1\n", "1\n-1\n" })
     check_unreadable(directory, "header.pfm", "PF\n" + (header + two), "");
   check_unreadable(directory, "text.gim", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "");
+}
 
+void test_bad_files(const Directory& directory)
+{
   start_topic("Files of another kind, and none");
   check_unreadable(directory, "image.png", size_of_gim(1, 2) + two, "extension");
   check_unreadable(directory, "image", size_of_gim(1, 2) + two, "extension");
@@ -242,8 +241,7 @@ void test_bad_files(const Directory& directory)
   fs::create_directory(directory.file("directory.gim"));
   Image untouched;
   for(const std::string& name : { directory.file("none.gim"), directory.file("directory.gim") })
-    check_fails(name, "", [&](bool verbose)
-    {
+    check_fails(name, "", [&](bool verbose) {
       return CGAL::IO::read_geometry_image(name, untouched, CGAL::parameters::verbose(verbose));
     });
   CHECK_EQUAL(untouched.width(), 0u);
@@ -254,7 +252,7 @@ void test_bad_files(const Directory& directory)
     write_bytes(name, "kept");
     check_unwritable(name, Image(), "size");
     check_unwritable(name, Image(0, 5), "size");
-    for(double bad : { double(nan), HUGE_VAL, 1e39 })
+    for(double bad : { std::numeric_limits<double>::quiet_NaN(), HUGE_VAL, 1e39 })
     {
       Image image(2, 2);
       image(1, 1) = Point(0, bad, 0);
@@ -270,6 +268,8 @@ int main()
 {
   const Directory directory;
   test_bytes(directory);
+  test_bad_sizes(directory);
+  test_bad_contents(directory);
   test_bad_files(directory);
   return test_result();
 }

@@ -39,14 +39,14 @@ namespace params = CGAL::parameters;
 Mesh triangulated(const Image& image)
 {
   Mesh mesh;
-  CGAL::triangulate(image, mesh);
+  CGAL::geometry_image_to_polygon_mesh(image, mesh);
   return mesh;
 }
 
 Mesh triangulated(const Image& image, const Image& diagonals)
 {
   Mesh mesh;
-  CGAL::triangulate(image, mesh, diagonals);
+  CGAL::geometry_image_to_polygon_mesh(image, mesh, diagonals);
   return mesh;
 }
 
@@ -145,14 +145,14 @@ void test_triangulation()
   start_topic("Meshes of other types, and those that are not empty");
   using Exact_kernel = CGAL::Exact_predicates_exact_constructions_kernel;
   CGAL::Polyhedron_3<Exact_kernel> polyhedron;
-  CGAL::triangulate(octahedral_sphere(9), polyhedron);
+  CGAL::geometry_image_to_polygon_mesh(octahedral_sphere(9), polyhedron);
   CHECK_EQUAL(polyhedron.size_of_vertices(), 66u);
   CHECK(polyhedron.is_closed());
-  CGAL::triangulate(octahedral_sphere(9), polyhedron);
+  CGAL::geometry_image_to_polygon_mesh(octahedral_sphere(9), polyhedron);
   CHECK_EQUAL(polyhedron.size_of_vertices(), 132u);
   Mesh other;
   auto map = other.add_property_map<Mesh::Vertex_index, Point>("other").first;
-  CGAL::triangulate(open_patch(3, 3), other, params::vertex_point_map(map));
+  CGAL::geometry_image_to_polygon_mesh(open_patch(3, 3), other, params::vertex_point_map(map));
   CHECK_EQUAL(map[Mesh::Vertex_index(4)], open_patch(3, 3)(1, 1));
 }
 
@@ -169,10 +169,9 @@ void test_samples()
       columns.push_back(j);
     rows.push_back(7);
     columns.push_back(13);
-    CHECK(are_identical(image.downsampled(step), make_image(columns.size(), rows.size(), [&](std::size_t i, std::size_t j)
-    {
-      return Point(rows[i], columns[j], 0);
-    })));
+    CHECK(are_identical(image.downsampled(step), make_image(columns.size(), rows.size(), [&](std::size_t i, std::size_t j) {
+                          return Point(rows[i], columns[j], 0);
+                        })));
   }
   CHECK(are_identical(image.downsampled((std::numeric_limits<std::size_t>::max)()), image.downsampled(100)));
   CHECK_EQUAL(Image(1, 5).downsampled(2).width(), 1u);
@@ -183,8 +182,14 @@ void test_samples()
   for(std::size_t size : { std::size_t(1) << 32, (std::numeric_limits<std::size_t>::max)() / 2 + 2 })
   {
     bool has_thrown = false;
-    try { Image absurd(size, size); }
-    catch(const std::length_error&) { has_thrown = true; }
+    try
+    {
+      Image absurd(size, size);
+    }
+    catch(const std::length_error&)
+    {
+      has_thrown = true;
+    }
     CHECK(has_thrown);
   }
 }
@@ -192,8 +197,7 @@ void test_samples()
 // the border samples at the same points, as those of an image before it was optimized
 std::vector<std::array<std::size_t, 4>> coinciding_samples(const Image& image)
 {
-  auto is_border = [&](std::size_t i, std::size_t j)
-  {
+  auto is_border = [&](std::size_t i, std::size_t j) {
     return i == 0 || j == 0 || i + 1 == image.height() || j + 1 == image.width();
   };
   std::vector<std::array<std::size_t, 4>> pairs;
@@ -285,8 +289,7 @@ void test_open_images()
   const Mesh fine = triangulated(open_patch(193, 145));
   const PMP::Flat_triangle_surface<Mesh> reference(fine);
   const auto distance = [&](const Point& p) { return norm(p - reference.point(reference.project(p))); };
-  const auto check_border = [&](const Image& result, bool stays)
-  {
+  const auto check_border = [&](const Image& result, bool stays) {
     std::size_t moved = 0;
     for(std::size_t i = 0; i < 19; ++i)
       for(std::size_t j : { 0, 24 })
@@ -308,10 +311,8 @@ void test_open_images()
 
   start_topic("A plane stays as it is");
   const Image plane = make_image(9, 9, [](std::size_t i, std::size_t j) { return Point(j + 0.25 * (i % 2), i, 0); });
-  const Mesh plane_mesh = make_mesh(transformed(triangle_grid(2, 2), [](const Point& p)
-  {
-    return Point(9 * p.x() - 6, 9 * p.y() - 6, 0);
-  }));
+  const Mesh plane_mesh =
+    make_mesh(transformed(triangle_grid(2, 2), [](const Point& p) { return Point(9 * p.x() - 6, 9 * p.y() - 6, 0); }));
   const Image plane_result = optimized(plane, plane_mesh).image;
   for(std::size_t i = 0; i < 9; ++i)
     for(std::size_t j = 0; j < 9; ++j)
@@ -362,7 +363,8 @@ void test_parameters()
                                 params::placement_method(PMP::LEAST_SQUARES)
                                   .regularity_weight(0.15)
                                   .convergence_threshold(7.5e-4)
-                                  .do_self_intersection_tests(true)).image));
+                                  .do_self_intersection_tests(true))
+                        .image));
 
   Counting_visitor visitor;
   const Result stopped = optimized(image, sphere, params::visitor(std::ref(visitor)));
@@ -373,7 +375,10 @@ void test_parameters()
   const Image least_squares_result = optimized(image, sphere, least_squares.number_of_iterations(20)).image;
   CHECK(!are_identical(least_squares_result, result));
   CHECK_LESS(error_ratio(image, least_squares_result, distance_to_sphere), 0.3);
+}
 
+void test_references_and_kernels()
+{
   start_topic("The second sequence is that of the reference");
   const Mesh cube_mesh = make_mesh(cube(3));
   Image cube_image = octahedral_sphere(17), smooth = cube_image;
@@ -382,6 +387,7 @@ void test_parameters()
   CHECK(!are_identical(cube_image, smooth));
 
   start_topic("Points of an exact kernel");
+  const Exact_sphere sphere(CGAL::ORIGIN, 1);
   using Exact_point = CGAL::Exact_predicates_exact_constructions_kernel::Point_3;
   CGAL::Geometry_image<Exact_point> exact(9, 9);
   const Image inexact = octahedral_sphere(9);
@@ -392,8 +398,10 @@ void test_parameters()
   const Image expected = optimized(inexact, sphere).image;
   for(std::size_t i = 0; i < 9; ++i)
     for(std::size_t j = 0; j < 9; ++j)
-      CHECK_AT_MOST(norm(Point(CGAL::to_double(exact(i, j).x()), CGAL::to_double(exact(i, j).y()),
-                               CGAL::to_double(exact(i, j).z())) - expected(i, j)), 1e-12);
+      CHECK_AT_MOST(
+        norm(Point(CGAL::to_double(exact(i, j).x()), CGAL::to_double(exact(i, j).y()), CGAL::to_double(exact(i, j).z())) -
+             expected(i, j)),
+        1e-12);
 }
 
 #ifdef NDEBUG
@@ -407,8 +415,14 @@ template <typename F>
 void check_refused(const F& f)
 {
   bool has_thrown = false;
-  try { f(); }
-  catch(const CGAL::Precondition_exception&) { has_thrown = true; }
+  try
+  {
+    f();
+  }
+  catch(const CGAL::Precondition_exception&)
+  {
+    has_thrown = true;
+  }
   CHECK_EQUAL(has_thrown, checks_are_on);
 }
 
@@ -425,7 +439,7 @@ void test_bad_images()
       check_refused([&] { CHECK_EQUAL(PMP::optimize_geometry_image(image, sphere).iterations, 0u); });
       CHECK(are_identical(image, input));
       Mesh mesh;
-      check_refused([&] { CGAL::triangulate(image, mesh); });
+      check_refused([&] { CGAL::geometry_image_to_polygon_mesh(image, mesh); });
       CHECK_EQUAL(mesh.number_of_vertices(), 0u);
     }
 
@@ -438,7 +452,7 @@ void test_bad_images()
   check_refused([&] { image.downsampled(0); });
   CHECK(are_identical(image, octahedral_sphere(9)));
   Mesh mesh;
-  check_refused([&] { CGAL::triangulate(image, mesh, Image(9, 8)); });
+  check_refused([&] { CGAL::geometry_image_to_polygon_mesh(image, mesh, Image(9, 8)); });
   CHECK_EQUAL(mesh.number_of_vertices(), 0u);
 
   start_topic("Images whose samples coincide at random");
@@ -448,8 +462,7 @@ void test_bad_images()
   {
     const int size = random.get_int(1, 4); // of the lattice that the samples are taken from
     auto coordinate = [&] { return random.get_int(0, size + 1); };
-    image = make_image(random.get_int(1, 7), random.get_int(1, 7), [&](std::size_t, std::size_t)
-    {
+    image = make_image(random.get_int(1, 7), random.get_int(1, 7), [&](std::size_t, std::size_t) {
       const int x = coordinate(), y = coordinate();
       return Point(x, y, coordinate());
     });
@@ -468,6 +481,7 @@ int main()
   test_closed_images();
   test_open_images();
   test_parameters();
+  test_references_and_kernels();
   test_bad_images();
   return test_result();
 }

@@ -46,8 +46,7 @@ Soup torus(std::size_t columns, std::size_t rows, double turn)
   for(auto& triangle : soup.triangles)
     for(std::size_t& i : triangle)
       i %= columns * rows;
-  return transformed(soup, [&](const Point& p)
-  {
+  return transformed(soup, [&](const Point& p) {
     const double a = 2 * CGAL_PI * p.x() / columns + turn, b = 2 * CGAL_PI * p.y() / rows + 2 * turn, r = 5 + std::cos(b);
     return Point(r * std::cos(a), r * std::sin(a), std::sin(b));
   });
@@ -74,9 +73,8 @@ void check_types(const std::string& name, const std::vector<Point>& expected, do
   CHECK_AT_MOST(largest_distance(optimized(mesh, reference), expected), tolerance);
 }
 
-int main()
+void test_types(const std::vector<Point>& expected)
 {
-  const std::vector<Point> expected = optimized(make_mesh(remesh), make_mesh(input));
   CHECK_AT_LEAST(largest_distance(expected, remesh.points), 0.01);
 
   check_types<Polyhedron, Polyhedron>("Polyhedron_3", expected, 1e-10);
@@ -95,14 +93,21 @@ int main()
   check_types<Surface_mesh_of_floats, Surface_mesh_of_floats>("Simple_cartesian<float>", expected, 1e-5);
   check_types<Surface_mesh_of_exact_numbers, Mesh>("Exact constructions and inexact ones", expected, 1e-10);
   check_types<Surface_mesh_of_floats, Surface_mesh_of_exact_numbers>("Floats and exact constructions", expected, 1e-5);
+}
 
+void test_reference_surfaces(const std::vector<Point>& expected)
+{
   start_topic("A reference surface with a kernel of its own");
   const PMP::PN_triangle_surface<Polyhedron, CGAL::Simple_cartesian<float>> of_floats(make_mesh<Polyhedron>(input));
   CHECK_AT_MOST(largest_distance(optimized(make_mesh(remesh), of_floats), expected), 1e-4);
   const PMP::Flat_triangle_surface<Polyhedron> flat(make_mesh<Polyhedron>(input));
   CHECK_AT_MOST(largest_distance(optimized(make_mesh(remesh), flat),
-                                 optimized(make_mesh(remesh), PMP::Flat_triangle_surface<Mesh>(make_mesh(input)))), 1e-10);
+                                 optimized(make_mesh(remesh), PMP::Flat_triangle_surface<Mesh>(make_mesh(input)))),
+                1e-10);
+}
 
+void test_exact_points()
+{
   start_topic("Exact points that do not move stay exact");
   Surface_mesh_of_exact_numbers exact = make_mesh<Surface_mesh_of_exact_numbers>(remesh);
   const Surface_mesh_of_exact_numbers::Vertex_index v(0);
@@ -120,8 +125,7 @@ int main()
   auto is_constrained = exact.add_property_map<Surface_mesh_of_exact_numbers::Vertex_index, bool>("c", false).first;
   is_constrained[v] = true;
   int asked = 0;
-  const auto evaluate = [&](Surface_mesh_of_exact_numbers::Vertex_index w, const Exact_point&, const Exact_point&)
-  {
+  const auto evaluate = [&](Surface_mesh_of_exact_numbers::Vertex_index w, const Exact_point&, const Exact_point&) {
     CGAL::exact(exact.point(v));
     asked += w == v;
     return true;
@@ -130,5 +134,13 @@ int main()
                                  CGAL::parameters::vertex_is_constrained_map(is_constrained).allow_move_functor(evaluate));
   CHECK(exact.point(v) == before);
   CHECK_EQUAL(asked, 0);
+}
+
+int main()
+{
+  const std::vector<Point> expected = optimized(make_mesh(remesh), make_mesh(input));
+  test_types(expected);
+  test_reference_surfaces(expected);
+  test_exact_points();
   return test_result();
 }

@@ -35,8 +35,7 @@ Image make_image(std::size_t width, std::size_t height, const F& f)
 // The four samples in the middles of the sides are at the distance `spike` from the center.
 inline Image octahedral_sphere(std::size_t n, double spike = 1)
 {
-  return make_image(n, n, [&](std::size_t i, std::size_t j)
-  {
+  return make_image(n, n, [&](std::size_t i, std::size_t j) {
     double x = 2. * j / (n - 1) - 1, y = 2. * i / (n - 1) - 1;
     const double z = 1 - std::abs(x) - std::abs(y);
     if(z < 0)
@@ -53,8 +52,7 @@ inline Image octahedral_sphere(std::size_t n, double spike = 1)
 // The unit sphere with a pole as the first and the last row, and with the first column equal to the last.
 inline Image polar_sphere(std::size_t width, std::size_t height)
 {
-  return make_image(width, height, [&](std::size_t i, std::size_t j)
-  {
+  return make_image(width, height, [&](std::size_t i, std::size_t j) {
     const double theta = i * CGAL_PI / (height - 1), phi = (j % (width - 1)) * 2 * CGAL_PI / (width - 1);
     const double radius = (i == 0 || i + 1 == height) ? 0 : std::sin(theta);
     return Point(radius * std::cos(phi), -radius * std::sin(phi), std::cos(theta));
@@ -64,8 +62,7 @@ inline Image polar_sphere(std::size_t width, std::size_t height)
 // A torus around the z-axis. If the radii are equal all points of a circle are one: the surface touches itself there.
 inline Image torus(std::size_t width, std::size_t height, double large_radius, double small_radius)
 {
-  return make_image(width, height, [&](std::size_t i, std::size_t j)
-  {
+  return make_image(width, height, [&](std::size_t i, std::size_t j) {
     const double u = (j % (width - 1)) * 2 * CGAL_PI / (width - 1), v = (i % (height - 1)) * 2 * CGAL_PI / (height - 1);
     const double r = i % (height - 1) == 0 ? large_radius - small_radius : large_radius - small_radius * std::cos(v);
     return Point(r * std::cos(u), r * std::sin(u), i % (height - 1) == 0 ? 0 : -small_radius * std::sin(v));
@@ -75,8 +72,7 @@ inline Image torus(std::size_t width, std::size_t height, double large_radius, d
 // a wavy surface over the unit square
 inline Image open_patch(std::size_t width, std::size_t height)
 {
-  return make_image(width, height, [&](std::size_t i, std::size_t j)
-  {
+  return make_image(width, height, [&](std::size_t i, std::size_t j) {
     const double x = j / (width - 1.), y = i / (height - 1.);
     return Point(x, y, 0.1 * std::sin(5 * x + y) * std::cos(4 * y));
   });
@@ -85,8 +81,7 @@ inline Image open_patch(std::size_t width, std::size_t height)
 // a strip with half a twist, whose last column is the first one upside down
 inline Image moebius_strip(std::size_t width, std::size_t height)
 {
-  return make_image(width, height, [&](std::size_t i, std::size_t j)
-  {
+  return make_image(width, height, [&](std::size_t i, std::size_t j) {
     const bool is_last = j + 1 == width;
     const double t = (is_last ? height - 1. - i : i) / (height - 1.) - 0.5, u = is_last ? 0 : j * 2 * CGAL_PI / (width - 1);
     const double r = 1 + t * std::cos(u / 2);
@@ -97,8 +92,7 @@ inline Image moebius_strip(std::size_t width, std::size_t height)
 // a cone with its apex in a corner, the sides at which are joined
 inline Image cone(std::size_t n)
 {
-  return make_image(n, n, [&](std::size_t i, std::size_t j)
-  {
+  return make_image(n, n, [&](std::size_t i, std::size_t j) {
     const double r = std::hypot(i, j) / (n - 1), angle = i == 0 || j == 0 ? 0 : 4 * std::atan2(i, j);
     return Point(r * std::cos(angle), r * std::sin(angle), -0.5 * r);
   });

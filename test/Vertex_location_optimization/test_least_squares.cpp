@@ -75,8 +75,7 @@ void test_unmarked_creases()
 {
   start_topic("A cube gets its edges and corners back, although no vertex was on them and no edge is constrained");
   const Mesh reference = make_mesh(cube(0));
-  const Mesh remesh = make_mesh(transformed(icosphere(4), [](const Point& p)
-  {
+  const Mesh remesh = make_mesh(transformed(icosphere(4), [](const Point& p) {
     const Point q = rotated(p);
     return CGAL::ORIGIN + (q - CGAL::ORIGIN) / (std::max)({ std::abs(q.x()), std::abs(q.y()), std::abs(q.z()) });
   }));
@@ -91,15 +90,13 @@ void test_unmarked_creases()
 void test_tip()
 {
   start_topic("A tip that the remesh has cut off comes back");
-  auto with_tip = [](const Point& p)
-  {
+  auto with_tip = [](const Point& p) {
     const Vector n = unit(p - CGAL::ORIGIN);
     return CGAL::ORIGIN + (1 + std::exp(-60 * (1 - n.z()))) * n;
   };
   const Mesh reference = make_mesh(transformed(icosphere(5), with_tip));
   const Mesh remesh = make_mesh(transformed(icosphere(3), [&](const Point& p) { return with_tip(rotated(p)); }));
-  auto largest_distance_back = [&](const Mesh& mesh)
-  {
+  auto largest_distance_back = [&](const Mesh& mesh) {
     const Distance_to_mesh distance(mesh);
     double largest = 0;
     for(const Point& p : reference.points())
@@ -117,13 +114,9 @@ void test_regularity_weight()
 {
   start_topic("The larger the weight, the larger the angles and the error");
   CGAL::Random random(11);
-  auto bumpy = [](const Vector& n)
-  {
-    return CGAL::ORIGIN + (1 + 0.1 * std::sin(5 * n.x()) * std::sin(4 * n.y())) * n;
-  };
+  auto bumpy = [](const Vector& n) { return CGAL::ORIGIN + (1 + 0.1 * std::sin(5 * n.x()) * std::sin(4 * n.y())) * n; };
   const Mesh reference = make_mesh(transformed(icosphere(5), [&](const Point& p) { return bumpy(unit(p - CGAL::ORIGIN)); }));
-  const Mesh remesh = make_mesh(transformed(icosphere(3), [&](const Point& p)
-  {
+  const Mesh remesh = make_mesh(transformed(icosphere(3), [&](const Point& p) {
     auto moved = [&](double x) { return x + random.get_double(-.04, .04); };
     const double x = moved(p.x()), y = moved(p.y());
     return bumpy(unit(Vector(x, y, moved(p.z()))));
@@ -145,10 +138,8 @@ void test_planes()
 {
   start_topic("A planar mesh stays in its plane, its border where it is");
   const Mesh plane = make_mesh(transformed(planar_patch(12), rigid_motion));
-  const Mesh reference = make_mesh(transformed(triangle_grid(5, 5), [](const Point& p)
-  {
-    return rigid_motion(Point(4 * p.x() - 3, 4 * p.y() - 3, 0));
-  }));
+  const Mesh reference = make_mesh(
+    transformed(triangle_grid(5, 5), [](const Point& p) { return rigid_motion(Point(4 * p.x() - 3, 4 * p.y() - 3, 0)); }));
   const Mesh mesh = optimized(plane, reference, PMP::LEAST_SQUARES);
   const Vector normal = rigid_motion(Point(0, 0, 1)) - rigid_motion(CGAL::ORIGIN);
   for(const Point& p : mesh.points())
@@ -160,8 +151,7 @@ void test_equivariance()
   start_topic("Scaled by a power of two, the result is the same to the last bit; moved, it is as good");
   // The samples of the reference depend on the order of its faces, and that on the directions of the axes.
   const Mesh reference = make_mesh(icosphere(4)), remesh = make_mesh(transformed(icosphere(3), rotated));
-  auto transformed_mesh = [](Mesh mesh, const auto& transformation)
-  {
+  auto transformed_mesh = [](Mesh mesh, const auto& transformation) {
     for(Point& p : mesh.points())
       p = transformation(p);
     return mesh;

@@ -26,7 +26,7 @@
 Mesh triangulated(const Image& image)
 {
   Mesh mesh;
-  CGAL::triangulate(image, mesh);
+  CGAL::geometry_image_to_polygon_mesh(image, mesh);
   return mesh;
 }
 
@@ -40,8 +40,7 @@ Image check_image(const Mesh& mesh, std::size_t width, std::size_t height)
 
   const double rounding = 1e-9 * longest_side(mesh);
   const Distance_to_mesh surface(mesh);
-  auto distance_to_border = [&](const Point& p)
-  {
+  auto distance_to_border = [&](const Point& p) {
     double smallest = HUGE_VAL;
     for(Mesh::Edge_index e : mesh.edges())
       if(mesh.is_border(e))
@@ -97,13 +96,12 @@ Mesh joined(Mesh a, const Mesh& b)
   return a;
 }
 
-int main()
+const Mesh square =
+  make_mesh(transformed(triangle_grid(8, 8, false, 0), [](const Point& p) { return Point(p.x() / 8, p.y() / 8, 2); }));
+
+void test_images()
 {
   start_topic("A square gives itself");
-  const Mesh square = make_mesh(transformed(triangle_grid(8, 8, false, 0), [](const Point& p)
-  {
-    return Point(p.x() / 8, p.y() / 8, 2);
-  }));
   Image image = check_image(square, 9, 5);
   for(std::size_t i = 0; i < 5; ++i)
     for(std::size_t j = 0; j < 9; ++j)
@@ -135,7 +133,10 @@ int main()
   const auto polyhedron = make_mesh<CGAL::Polyhedron_3<Exact_kernel>>(transformed(triangle_grid(4, 4), rotated));
   CGAL::Geometry_image<Exact_kernel::Point_3> exact(6, 6);
   CHECK(CGAL::make_geometry_image(polyhedron, exact));
+}
 
+void test_refused()
+{
   start_topic("What is no disk");
   const Mesh sphere = make_mesh(icosphere(1));
   check_refused(Mesh(), "no faces");
@@ -165,5 +166,11 @@ int main()
     flat_faces.point(flat_faces.target(h)) = flat_faces.point(flat_faces.source(h));
     check_refused(flat_faces, "without an area");
   }
+}
+
+int main()
+{
+  test_images();
+  test_refused();
   return test_result();
 }

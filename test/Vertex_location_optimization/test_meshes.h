@@ -103,8 +103,7 @@ inline Soup subdivide(const Soup& coarse)
 {
   Soup fine{ coarse.points, {} };
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> midpoints;
-  auto middle = [&](std::size_t i, std::size_t j)
-  {
+  auto middle = [&](std::size_t i, std::size_t j) {
     const auto [it, is_new] = midpoints.emplace(std::minmax(i, j), fine.points.size());
     if(is_new)
       fine.points.push_back(CGAL::midpoint(fine.points[i], fine.points[j]));
@@ -122,13 +121,22 @@ inline Soup subdivide(const Soup& coarse)
 inline Soup icosphere(int level)
 {
   const double g = (1 + std::sqrt(5.)) / 2;
-  Soup soup{ { { -1, g, 0 }, { 1, g, 0 }, { -1, -g, 0 }, { 1, -g, 0 }, { 0, -1, g }, { 0, 1, g },
-               { 0, -1, -g }, { 0, 1, -g }, { g, 0, -1 }, { g, 0, 1 }, { -g, 0, -1 }, { -g, 0, 1 } },
-             { { 0, 11, 5 }, { 0, 5, 1 }, { 0, 1, 7 }, { 0, 7, 10 }, { 0, 10, 11 }, { 1, 5, 9 }, { 5, 11, 4 },
-               { 11, 10, 2 }, { 10, 7, 6 }, { 7, 1, 8 }, { 3, 9, 4 }, { 3, 4, 2 }, { 3, 2, 6 }, { 3, 6, 8 },
-               { 3, 8, 9 }, { 4, 9, 5 }, { 2, 4, 11 }, { 6, 2, 10 }, { 8, 6, 7 }, { 9, 8, 1 } } };
-  auto project = [](const Point& p)
-  {
+  Soup soup{ { { -1, g, 0 },
+               { 1, g, 0 },
+               { -1, -g, 0 },
+               { 1, -g, 0 },
+               { 0, -1, g },
+               { 0, 1, g },
+               { 0, -1, -g },
+               { 0, 1, -g },
+               { g, 0, -1 },
+               { g, 0, 1 },
+               { -g, 0, -1 },
+               { -g, 0, 1 } },
+             { { 0, 11, 5 },  { 0, 5, 1 },  { 0, 1, 7 },  { 0, 7, 10 }, { 0, 10, 11 }, { 1, 5, 9 }, { 5, 11, 4 },
+               { 11, 10, 2 }, { 10, 7, 6 }, { 7, 1, 8 },  { 3, 9, 4 },  { 3, 4, 2 },   { 3, 2, 6 }, { 3, 6, 8 },
+               { 3, 8, 9 },   { 4, 9, 5 },  { 2, 4, 11 }, { 6, 2, 10 }, { 8, 6, 7 },   { 9, 8, 1 } } };
+  auto project = [](const Point& p) {
     return CGAL::ORIGIN + (p - CGAL::ORIGIN) / std::sqrt((p - CGAL::ORIGIN).squared_length());
   };
   soup = transformed(soup, project);
@@ -163,18 +171,15 @@ inline Soup triangle_grid(std::size_t columns, std::size_t rows, bool is_periodi
 inline Soup cylinder(std::size_t columns, std::size_t rows, double shift = 0.5)
 {
   const double step = 2 * CGAL_PI / columns, height = step * std::sqrt(3.) / 2;
-  return transformed(triangle_grid(columns, rows, true, shift), [&](const Point& p)
-  {
-    return Point(std::cos(p.x() * step), std::sin(p.x() * step), p.y() * height);
-  });
+  return transformed(triangle_grid(columns, rows, true, shift),
+                     [&](const Point& p) { return Point(std::cos(p.x() * step), std::sin(p.x() * step), p.y() * height); });
 }
 
 // an irregular patch of the plane z = 0 over [0, n] x [0, n]
 inline Soup planar_patch(std::size_t n)
 {
   CGAL::Random random(7);
-  return transformed(triangle_grid(n, n), [&](const Point& p)
-  {
+  return transformed(triangle_grid(n, n), [&](const Point& p) {
     auto moved = [&](double x) { return (x == 0 || x >= n) ? x : x + random.get_double(-0.24, 0.24); };
     const double x = moved(p.x()), y = moved(p.y());
     return Point(x, y, 0);
@@ -184,10 +189,21 @@ inline Soup planar_patch(std::size_t n)
 // the cube [-1, 1]^3 with 2 * 4^level triangles a side
 inline Soup cube(int level)
 {
-  Soup soup{ { { -1, -1, -1 }, { 1, -1, -1 }, { 1, 1, -1 }, { -1, 1, -1 },
-               { -1, -1, 1 }, { 1, -1, 1 }, { 1, 1, 1 }, { -1, 1, 1 } },
-             { { 0, 2, 1 }, { 0, 3, 2 }, { 4, 5, 6 }, { 4, 6, 7 }, { 0, 1, 5 }, { 0, 5, 4 },
-               { 1, 2, 6 }, { 1, 6, 5 }, { 2, 3, 7 }, { 2, 7, 6 }, { 3, 0, 4 }, { 3, 4, 7 } } };
+  Soup soup{
+    { { -1, -1, -1 }, { 1, -1, -1 }, { 1, 1, -1 }, { -1, 1, -1 }, { -1, -1, 1 }, { 1, -1, 1 }, { 1, 1, 1 }, { -1, 1, 1 } },
+    { { 0, 2, 1 },
+      { 0, 3, 2 },
+      { 4, 5, 6 },
+      { 4, 6, 7 },
+      { 0, 1, 5 },
+      { 0, 5, 4 },
+      { 1, 2, 6 },
+      { 1, 6, 5 },
+      { 2, 3, 7 },
+      { 2, 7, 6 },
+      { 3, 0, 4 },
+      { 3, 4, 7 } }
+  };
   for(int i = 0; i < level; ++i)
     soup = subdivide(soup);
   return soup;

@@ -29,8 +29,7 @@ using Vertex = Mesh::Vertex_index;
 // moved along the sphere.
 struct Input
 {
-  Mesh mesh = make_mesh(transformed(icosphere(2), [random = CGAL::Random(5)](const Point& p) mutable
-  {
+  Mesh mesh = make_mesh(transformed(icosphere(2), [random = CGAL::Random(5)](const Point& p) mutable {
     auto moved = [&](double x) { return x + random.get_double(-.05, .05); };
     return CGAL::ORIGIN + unit(Vector(moved(p.x()), moved(p.y()), moved(p.z())));
   }));
@@ -38,7 +37,8 @@ struct Input
 };
 
 template <typename Reference, typename NP1, typename NP2 = parameters::Default_named_parameters>
-std::vector<Point> optimized(Mesh mesh, const Reference& reference, const NP1& np1, const NP2& np2 = parameters::default_values())
+std::vector<Point>
+optimized(Mesh mesh, const Reference& reference, const NP1& np1, const NP2& np2 = parameters::default_values())
 {
   PMP::optimize_vertex_locations(mesh, reference, np1, np2);
   return points_of(mesh);
@@ -113,8 +113,8 @@ void test_numbers(const Input& input)
   start_topic("convergence_threshold, relative to the mean edge length");
   double mean_edge_length = 0;
   for(Mesh::Edge_index e : input.mesh.edges())
-    mean_edge_length += CGAL::approximate_sqrt(CGAL::squared_distance(input.mesh.point(input.mesh.vertex(e, 0)),
-                                                                      input.mesh.point(input.mesh.vertex(e, 1))));
+    mean_edge_length += CGAL::approximate_sqrt(
+      CGAL::squared_distance(input.mesh.point(input.mesh.vertex(e, 0)), input.mesh.point(input.mesh.vertex(e, 1))));
   mean_edge_length /= input.mesh.number_of_edges();
   for(double threshold : { 1e-1, 1e-2, 1e-3 })
   {
@@ -126,16 +126,18 @@ void test_numbers(const Input& input)
     if(report.iterations > 2) // two iterations before it was not good enough
     {
       mesh = input.mesh;
-      const Report previous = PMP::optimize_vertex_locations(mesh, input.reference,
-        parameters::convergence_threshold(threshold).number_of_iterations(report.iterations - 2));
+      const Report previous = PMP::optimize_vertex_locations(
+        mesh, input.reference, parameters::convergence_threshold(threshold).number_of_iterations(report.iterations - 2));
       CHECK(!previous.converged);
       CHECK_LESS(threshold * mean_edge_length, previous.displacement);
     }
   }
+}
 
+void test_regularity(const Input& input)
+{
   start_topic("number_of_relaxation_steps: springs make triangles more regular");
-  auto angle_with = [&](unsigned int steps)
-  {
+  auto angle_with = [&](unsigned int steps) {
     Mesh relaxed = input.mesh;
     PMP::optimize_vertex_locations(relaxed, input.reference, parameters::number_of_relaxation_steps(steps));
     return mean_min_angle(relaxed);
@@ -147,10 +149,9 @@ void test_numbers(const Input& input)
   start_topic("number_of_free_iterations: then vertices move along the normal only");
   {
     const Exact_sphere sphere(CGAL::ORIGIN, 1);
-    auto turn = [&](unsigned int free_iterations)
-    {
-      const std::vector<Point> points = optimized(input.mesh, sphere,
-        parameters::number_of_free_iterations(free_iterations).number_of_relaxation_steps(0));
+    auto turn = [&](unsigned int free_iterations) {
+      const std::vector<Point> points =
+        optimized(input.mesh, sphere, parameters::number_of_free_iterations(free_iterations).number_of_relaxation_steps(0));
       double largest = 0;
       for(Vertex v : input.mesh.vertices())
         largest = (std::max)(largest, norm(unit(points[v] - CGAL::ORIGIN) - unit(input.mesh.point(v) - CGAL::ORIGIN)));
@@ -203,7 +204,7 @@ void test_vertex_point_map(const Input& input)
   }
   const std::vector<Point> own_points = points_of(mesh);
   PMP::optimize_vertex_locations(mesh, reference, parameters::vertex_point_map(points),
-    parameters::vertex_point_map(boost::make_assoc_property_map(reference_points)));
+                                 parameters::vertex_point_map(boost::make_assoc_property_map(reference_points)));
   CHECK(points_of(mesh) == own_points);
   for(Vertex v : mesh.vertices())
     CHECK(Point(points[v].x(), points[v].y(), points[v].z()) == expected[v]);
@@ -229,8 +230,7 @@ void test_constraints(const Input& input)
       edge_is_constrained[e] = true;
       by_edge.insert({ mesh.vertex(e, 0), mesh.vertex(e, 1) });
     }
-  auto stay = [](const std::vector<Point>& before, const std::vector<Point>& after, const std::set<Vertex>& fixed)
-  {
+  auto stay = [](const std::vector<Point>& before, const std::vector<Point>& after, const std::set<Vertex>& fixed) {
     // all of them and, as nothing on a curved surface keeps the others, no others
     bool ok = true;
     for(std::size_t i = 0; i < before.size(); ++i)
@@ -239,15 +239,16 @@ void test_constraints(const Input& input)
   };
   const std::vector<Point> before = points_of(mesh);
   CHECK(stay(before, optimized(mesh, input.reference, parameters::default_values()), {}));
-  CHECK(stay(before, optimized(mesh, input.reference, parameters::vertex_is_constrained_map(vertex_is_constrained)),
-             by_vertex));
+  CHECK(
+    stay(before, optimized(mesh, input.reference, parameters::vertex_is_constrained_map(vertex_is_constrained)), by_vertex));
   CHECK(stay(before, optimized(mesh, input.reference, parameters::edge_is_constrained_map(edge_is_constrained)), by_edge));
   std::set<Vertex> both = by_vertex;
   both.insert(by_edge.begin(), by_edge.end());
-  CHECK(stay(before,
-             optimized(mesh, input.reference, parameters::vertex_is_constrained_map(vertex_is_constrained)
-                                                .edge_is_constrained_map(edge_is_constrained)),
-             both));
+  CHECK(stay(
+    before,
+    optimized(mesh, input.reference,
+              parameters::vertex_is_constrained_map(vertex_is_constrained).edge_is_constrained_map(edge_is_constrained)),
+    both));
 
   for(int i = 0; i < 3; ++i)
     CGAL::Euler::remove_face(mesh.halfedge(Mesh::Face_index(50 * i)), mesh);
@@ -266,8 +267,7 @@ void test_allow_move_functor(const Input& input)
   std::map<Vertex, Point> last_targets;
   std::set<Vertex> refused;
   int wrong_sources = 0;
-  auto functor = [&](Vertex v, const Point& source, const Point& target)
-  {
+  auto functor = [&](Vertex v, const Point& source, const Point& target) {
     wrong_sources += source != before[v] || source == target;
     if(v % 3 == 0)
     {
@@ -277,8 +277,7 @@ void test_allow_move_functor(const Input& input)
     last_targets[v] = target;
     return true;
   };
-  PMP::optimize_vertex_locations(mesh, input.reference,
-                                 parameters::number_of_iterations(1).allow_move_functor(functor));
+  PMP::optimize_vertex_locations(mesh, input.reference, parameters::number_of_iterations(1).allow_move_functor(functor));
   CHECK_EQUAL(wrong_sources, 0);
   CHECK_EQUAL(refused.size(), (before.size() + 2) / 3);
   for(Vertex v : mesh.vertices())
@@ -287,8 +286,7 @@ void test_allow_move_functor(const Input& input)
   // limits on how far a vertex goes are kept through all iterations
   mesh = input.mesh;
   constexpr double limit = 0.01;
-  auto is_near = [&](Vertex v, const Point&, const Point& target)
-  {
+  auto is_near = [&](Vertex v, const Point&, const Point& target) {
     return CGAL::squared_distance(before[v], target) <= limit * limit;
   };
   PMP::optimize_vertex_locations(mesh, input.reference, parameters::allow_move_functor(is_near));
@@ -297,8 +295,10 @@ void test_allow_move_functor(const Input& input)
   CHECK_AT_LEAST(largest_distance(optimized(input.mesh, input.reference, parameters::default_values()), before), limit);
 }
 
-constexpr PMP::Vertex_location_optimization_phase phases_of_iteration[] = { PMP::SAMPLE_REFERENCE, PMP::FIT_VERTICES,
-                                                                            PMP::RELAX_VERTICES, PMP::CORRECT_FLIPS };
+using Phase = PMP::Vertex_location_optimization_phase;
+
+constexpr Phase phases_of_iteration[] = { Phase::SAMPLE_REFERENCE, Phase::PLACE_VERTICES, Phase::RELAX_VERTICES,
+                                          Phase::CORRECT_FLIPS };
 
 void test_visitor(const Input& input)
 {
@@ -315,8 +315,8 @@ void test_visitor(const Input& input)
   CHECK_AT_MOST(visitor.reports.back().corrected_vertices, report.corrected_vertices);
   CHECK_EQUAL(visitor.phases.size(), 4 * report.iterations + 1);
   for(std::size_t i = 0; i + 1 < visitor.phases.size(); ++i)
-    CHECK_EQUAL(visitor.phases[i], phases_of_iteration[i % 4]);
-  CHECK_EQUAL(visitor.phases.back(), PMP::TAKE_BACK_HARM);
+    CHECK(visitor.phases[i] == phases_of_iteration[i % 4]);
+  CHECK(visitor.phases.back() == Phase::ENFORCE_GUARANTEE);
 }
 
 void test_cancelling(const Input& input)
@@ -351,8 +351,7 @@ void test_reference_parameters(const Input& input)
   Mesh reference = make_mesh(cube(2));
   auto none = reference.add_property_map<Mesh::Edge_index, bool>("none", false).first;
   auto all = reference.add_property_map<Mesh::Edge_index, bool>("all", true).first;
-  const auto on_cube = [&](const auto& np2)
-  {
+  const auto on_cube = [&](const auto& np2) {
     return optimized(input.mesh, reference, parameters::number_of_iterations(3), np2);
   };
   const std::vector<Point> with_creases = on_cube(parameters::default_values());
@@ -382,6 +381,7 @@ int main()
   const Input input;
   test_defaults(input);
   test_numbers(input);
+  test_regularity(input);
   test_chaining(input);
   test_vertex_point_map(input);
   test_constraints(input);

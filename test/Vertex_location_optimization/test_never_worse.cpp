@@ -25,10 +25,10 @@
 namespace PMP = CGAL::Polygon_mesh_processing;
 
 // `splits` is such that the errors of the faces are resolved
-void check_not_worse(const Mesh& remesh, const Mesh& mesh, const Mesh& reference, const Distance_to_mesh& surface, int splits)
+void check_not_worse(
+  const Mesh& remesh, const Mesh& mesh, const Mesh& reference, const Distance_to_mesh& surface, int splits)
 {
-  auto errors_of = [&, hint = *reference.points().begin()](const Mesh& m) mutable
-  {
+  auto errors_of = [&, hint = *reference.points().begin()](const Mesh& m) mutable {
     return measure_errors(m, splits, [&](const Point& p) { return surface(p, hint); });
   };
   const Errors before = errors_of(remesh), after = errors_of(mesh);
@@ -38,8 +38,7 @@ void check_not_worse(const Mesh& remesh, const Mesh& mesh, const Mesh& reference
   CHECK_AT_MOST(number_of_flips(mesh, surface), number_of_flips(remesh, surface));
 
   // the faces of the reference should not be farther from the mesh either; the package promises nothing there
-  auto back_errors_of = [&](const Mesh& m)
-  {
+  auto back_errors_of = [&](const Mesh& m) {
     const Distance_to_mesh to_mesh(m);
     Point hint = *m.points().begin();
     return measure_errors(reference, 2, [&](const Point& p) { return to_mesh(p, hint); });
@@ -47,7 +46,8 @@ void check_not_worse(const Mesh& remesh, const Mesh& mesh, const Mesh& reference
   CHECK_AT_MOST(back_errors_of(mesh).max, 1.05 * back_errors_of(remesh).max + rounding);
 
   check_invariants(remesh, mesh);
-  std::cout << "  mean " << before.mean << " -> " << after.mean << ", max " << before.max << " -> " << after.max << std::endl;
+  std::cout << "  mean " << before.mean << " -> " << after.mean << ", max " << before.max << " -> " << after.max
+            << std::endl;
 }
 
 void test(const std::string& name, const Mesh& reference, const Mesh& remesh, int splits = 8)
@@ -79,8 +79,7 @@ void test_hopeless()
 // result than a full one.
 void test_between_samples()
 {
-  struct Impatient_visitor
-    : PMP::Vertex_location_optimization_default_visitor
+  struct Impatient_visitor : PMP::Vertex_location_optimization_default_visitor
   {
     void end_iteration(const PMP::Vertex_location_optimization_report& report) { iterations = report.iterations; }
     bool go_further() { return iterations < max_iterations; }
@@ -98,8 +97,7 @@ void test_between_samples()
     start_topic(name + ", as a remesh of its PN surface");
     const Mesh remesh = read_model(name);
     const PMP::PN_triangle_surface<Mesh> surface(remesh);
-    auto largest_error = [&](const Mesh& m)
-    {
+    auto largest_error = [&](const Mesh& m) {
       return measure_errors(m, 8, [&](const Point& p) { return norm(surface.point(surface.project(p)) - p); }).max;
     };
     const double before = largest_error(remesh);
@@ -132,19 +130,15 @@ void test_two_sheets()
     sheets.triangles.push_back({ i, i + 2, i + 3 });
   }
   const PMP::Flat_triangle_surface<Mesh> surface(make_mesh(sheets));
-  const auto mean_error = [](const Mesh& mesh)
-  {
-    return measure_errors(mesh, 12, [](const Point& p)
-    {
-      return (std::min)(std::abs(p.z()), std::abs(p.z() - distance));
-    }).mean;
+  const auto mean_error = [](const Mesh& mesh) {
+    return measure_errors(mesh, 12, [](const Point& p) { return (std::min)(std::abs(p.z()), std::abs(p.z() - distance)); })
+      .mean;
   };
 
   CGAL::Random random(1);
   for(int i = 0; i < 200; ++i)
   {
-    const Mesh remesh = make_mesh(transformed(triangle_grid(6, 6), [&](const Point& p)
-    {
+    const Mesh remesh = make_mesh(transformed(triangle_grid(6, 6), [&](const Point& p) {
       const double x = random.get_double(0, 0.3), y = random.get_double(0, 0.3);
       return Point(p.x() + x, p.y() + y, random.get_double(-distance, 2 * distance));
     }));
@@ -163,8 +157,7 @@ Soup plate(std::size_t n)
   Soup soup = cube(0);
   while(n >>= 1)
     soup = subdivide(soup);
-  return transformed(soup, [](const Point& p)
-  {
+  return transformed(soup, [](const Point& p) {
     return Point(p.x(), p.y() + 0.2 * std::sin(3 * p.x()), 0.01 * p.z() + 0.1 * std::cos(2 * p.x() + p.y()));
   });
 }
@@ -172,8 +165,7 @@ Soup plate(std::size_t n)
 // an icosphere with thin fingers that grow out of it
 Soup hedgehog(int level)
 {
-  return transformed(icosphere(level), [](const Point& p)
-  {
+  return transformed(icosphere(level), [](const Point& p) {
     const double peak = std::pow(std::abs(std::sin(4 * p.x()) * std::sin(4 * p.y()) * std::sin(4 * p.z())), 4);
     return CGAL::ORIGIN + (1 + 2 * peak) * (p - CGAL::ORIGIN);
   });
@@ -200,8 +192,7 @@ int main()
   const Mesh fingers = make_mesh(hedgehog(5));
   test("hedgehog", fingers, make_mesh(hedgehog(3)));
   test("hedgehog, remeshed", fingers, make_remesh(fingers, 0.1));
-  auto stretched = [](const Soup& soup)
-  {
+  auto stretched = [](const Soup& soup) {
     return make_mesh(transformed(soup, [](const Point& p) { return Point(p.x(), p.y(), 40 * p.z()); }));
   };
   test("cylinder of slivers", stretched(cylinder(160, 32)), stretched(cylinder(20, 4)), 64);

@@ -32,8 +32,8 @@ template <typename ConcurrencyTag, typename Reference>
 Result optimize(Mesh mesh, const Reference& reference, PMP::Placement_method method)
 {
   Result result;
-  result.report = PMP::optimize_vertex_locations<ConcurrencyTag>(mesh, reference,
-                                                                  CGAL::parameters::placement_method(method));
+  result.report =
+    PMP::optimize_vertex_locations<ConcurrencyTag>(mesh, reference, CGAL::parameters::placement_method(method));
   result.points = points_of(mesh);
   return result;
 }
@@ -73,8 +73,7 @@ int main()
 {
   // an irregular mesh, rough enough that moves must be shortened, of some thousand vertices
   CGAL::Random random(3);
-  const Mesh mesh = make_mesh(transformed(icosphere(4), [&](const Point& p)
-  {
+  const Mesh mesh = make_mesh(transformed(icosphere(4), [&](const Point& p) {
     auto moved = [&](double x) { return x + random.get_double(-.03, .03); };
     return CGAL::ORIGIN + (1 + random.get_double(-.02, .02)) * unit(Vector(moved(p.x()), moved(p.y()), moved(p.z())));
   }));

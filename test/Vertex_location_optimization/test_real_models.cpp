@@ -40,8 +40,7 @@ void test_model(const std::string& name,
                 const std::vector<Goal>& goals)
 {
   const Mesh remesh = make_remesh(input, length);
-  auto errors_of = [&, hint = input.point(*input.vertices().begin())](const Mesh& m) mutable
-  {
+  auto errors_of = [&, hint = input.point(*input.vertices().begin())](const Mesh& m) mutable {
     return measure_errors(m, 4, [&](const Point& p) { return surface(p, hint); });
   };
   const double unit_length = 1e-4 * longest_side(input);

@@ -121,7 +121,8 @@ void test_hints()
     {
       const auto hint = surface.project(query + random_vector(distance));
       CHECK_AT_MOST(norm(surface.point(surface.project(query, hint)) - expected), 1e-11);
-      CHECK_AT_MOST(norm(surface.point(surface.project_near(query, hint)) - expected), 1e-11);
+      const auto local = surface.patches().project_locally({ query.x(), query.y(), query.z() }, hint);
+      CHECK_AT_MOST(norm(surface.point(local) - expected), 1e-11);
     }
   }
 }
@@ -229,10 +230,8 @@ void check_walks(const Mesh& mesh, const PN_surface& surface, int stride, const 
 void test_watertight()
 {
   start_topic("Both sides of a crease share its curve");
-  auto is_sharp = [](const Mesh& mesh)
-  {
-    return [&mesh](Mesh::Edge_index e)
-    {
+  auto is_sharp = [](const Mesh& mesh) {
+    return [&mesh](Mesh::Edge_index e) {
       const Vector m = area_vector(corners(mesh, mesh.face(mesh.halfedge(e, 0))));
       const Vector n = area_vector(corners(mesh, mesh.face(mesh.halfedge(e, 1))));
       return unit(m) * unit(n) < std::sqrt(0.5);

@@ -19,18 +19,21 @@
 class Phase_timer : public CGAL::Polygon_mesh_processing::Vertex_location_optimization_default_visitor
 {
 public:
-  static constexpr std::size_t number_of_phases = CGAL::Polygon_mesh_processing::TAKE_BACK_HARM + 1;
+  using Phase = CGAL::Polygon_mesh_processing::Vertex_location_optimization_phase;
+
+  static constexpr std::size_t guarantee = static_cast<std::size_t>(Phase::ENFORCE_GUARANTEE); // the last phase
+  static constexpr std::size_t number_of_phases = guarantee + 1;
   static constexpr std::size_t apart = number_of_phases;
   using Times = std::array<double, number_of_phases + 1>; // seconds
 
   void start() { m_last = thread_time(); }
   void stop() { end_phase(); }
 
-  void start_phase(CGAL::Polygon_mesh_processing::Vertex_location_optimization_phase phase)
+  void start_phase(Phase phase)
   {
     end_phase();
-    m_phase = phase;
-    if(phase == CGAL::Polygon_mesh_processing::SAMPLE_REFERENCE)
+    m_phase = static_cast<std::size_t>(phase);
+    if(phase == Phase::SAMPLE_REFERENCE)
       m_iterations.push_back(Times());
   }
 
@@ -44,7 +47,7 @@ private:
   {
     const double now = thread_time();
     m_total[m_phase] += now - m_last;
-    if(m_phase < CGAL::Polygon_mesh_processing::TAKE_BACK_HARM)
+    if(m_phase < guarantee)
       m_iterations.back()[m_phase] += now - m_last;
     m_last = now;
     m_phase = apart;

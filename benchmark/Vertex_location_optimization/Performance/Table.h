@@ -19,9 +19,7 @@ class Table
 {
 public:
   Table(std::ofstream& csv, std::string title, std::vector<std::string> columns)
-    : m_csv(csv)
-    , m_title(std::move(title))
-    , m_columns(std::move(columns))
+    : m_csv(csv), m_title(std::move(title)), m_columns(std::move(columns))
   {
     std::printf("\n%s\n%-40s", m_title.c_str(), "");
     for(const std::string& column : m_columns)

@@ -28,8 +28,7 @@ inline void add_growth(Table& table,
 {
   const double projection = time_of_standard_projection(mesh, reference);
   auto curve = curves.begin();
-  const auto add = [&](double seconds)
-  {
+  const auto add = [&](double seconds) {
     curve->sizes.push_back(size);
     curve->seconds.push_back(seconds);
     const double n = static_cast<double>(mesh.number_of_vertices());
@@ -53,7 +52,7 @@ inline std::vector<Growth_curve> empty_curves()
 inline const std::vector<std::string>& growth_columns()
 {
   static const std::vector<std::string> columns{ "vertices", "triangles", "seconds", "microseconds a vertex",
-                                                "/ projection" };
+                                                 "/ projection" };
   return columns;
 }
 
@@ -124,8 +123,8 @@ inline void measure_large(std::ofstream& csv, const Mesh& input)
   for(PMP::Placement_method method : placement_methods)
   {
     const double seconds = time_of_optimization(mesh, surface, method);
-    table.add_row(name_of(method), { double(mesh.number_of_vertices()), double(reference.number_of_faces()),
-                                     construction, seconds, peak_of_process() / (1 << 30) });
+    table.add_row(name_of(method), { double(mesh.number_of_vertices()), double(reference.number_of_faces()), construction,
+                                     seconds, peak_of_process() / (1 << 30) });
   }
 }
 

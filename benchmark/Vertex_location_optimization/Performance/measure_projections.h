@@ -26,12 +26,10 @@
 template <typename Point, typename Foot, typename Project>
 double nanoseconds(const std::vector<Point>& queries, std::vector<Foot>& feet, const Project& project)
 {
-  const double seconds = thread_time_of(
-      [&]
-      {
-        for(std::size_t i = 0; i < queries.size(); ++i)
-          feet[i] = project(queries[i], feet[i]);
-      });
+  const double seconds = thread_time_of([&] {
+    for(std::size_t i = 0; i < queries.size(); ++i)
+      feet[i] = project(queries[i], feet[i]);
+  });
   return 1e9 * seconds / static_cast<double>(queries.size());
 }
 
@@ -43,8 +41,7 @@ cold_and_warm(const std::vector<Point>& queries, const Tree& tree, std::vector<t
   using Foot = typename Tree::Foot;
   feet.resize(queries.size());
   const double cold = nanoseconds(queries, feet, [&](const Point& q, const Foot&) { return tree.project(q); });
-  const double warm =
-      nanoseconds(queries, feet, [&](const Point& q, const Foot& foot) { return tree.project(q, foot); });
+  const double warm = nanoseconds(queries, feet, [&](const Point& q, const Foot& foot) { return tree.project(q, foot); });
   return { cold, warm };
 }
 
@@ -54,7 +51,9 @@ void add_surface_rows(Table& table, const std::string& name, const std::vector<P
   using Foot = typename Surface::Foot;
   std::vector<Foot> feet;
   std::vector<double> row = cold_and_warm(queries, surface, feet);
-  row.push_back(nanoseconds(queries, feet, [&](const Point& q, const Foot& f) { return surface.project_near(q, f); }));
+  row.push_back(nanoseconds(queries, feet, [&](const Point& q, const Foot& f) {
+    return surface.patches().project_locally({ q.x(), q.y(), q.z() }, f);
+  }));
   table.add_row(name, row);
 }
 

@@ -42,11 +42,11 @@ inline Phase_timer time_phases(Mesh mesh, const Surface& surface, PMP::Placement
 inline void print_iterations(std::ofstream& csv, PMP::Placement_method method, const Phase_timer& timer)
 {
   Table table(csv, std::string("phases: ") + name_of(method) + ", milliseconds of each iteration",
-              { "sample", "fit", "relax", "correct" });
+              { "sample", "place", "relax", "correct" });
   for(std::size_t i = 0; i < timer.iterations().size(); ++i)
   {
     std::vector<double> row;
-    for(std::size_t phase = 0; phase < PMP::TAKE_BACK_HARM; ++phase)
+    for(std::size_t phase = 0; phase < Phase_timer::guarantee; ++phase)
       row.push_back(1e3 * timer.iterations()[i][phase]);
     table.add_row("iteration " + std::to_string(i + 1), row);
   }
@@ -69,9 +69,9 @@ inline void measure_ratios(std::ofstream& csv, const Mesh& reference, double edg
   baselines.add_row("(c) sparse least-squares fit", { n, m, base.sparse_fit });
 
   std::vector<Phase_timer> timers;
-  Table table(csv, "ratios: the whole call, the reference apart",
-              { "iterations", "seconds", "/ (a)", "/ (b)", "/ (c)", "sample", "fit", "relax", "correct", "take back",
-                "apart" });
+  Table table(
+    csv, "ratios: the whole call, the reference apart",
+    { "iterations", "seconds", "/ (a)", "/ (b)", "/ (c)", "sample", "place", "relax", "correct", "guarantee", "apart" });
   for(PMP::Placement_method method : placement_methods)
   {
     const double seconds = time_of_optimization(mesh, surface, method);
@@ -95,8 +95,8 @@ inline void compare_with_remeshing(std::ofstream& csv, const Mesh& input, double
   for(PMP::Placement_method method : placement_methods)
   {
     Mesh copy = mesh;
-    const double seconds = thread_time_of(
-        [&] { PMP::optimize_vertex_locations(copy, input, CGAL::parameters::placement_method(method)); });
+    const double seconds =
+      thread_time_of([&] { PMP::optimize_vertex_locations(copy, input, CGAL::parameters::placement_method(method)); });
     table.add_row(name_of(method), { double(mesh.number_of_vertices()), remeshing, seconds, seconds / remeshing });
   }
 }

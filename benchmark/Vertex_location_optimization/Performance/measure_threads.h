@@ -32,9 +32,7 @@ double wall_time_of_optimization(const Mesh& mesh, const Surface& surface, PMP::
   {
     result = mesh;
     times.push_back(wall_time_of(
-        [&] {
-          PMP::optimize_vertex_locations<ConcurrencyTag>(result, surface, CGAL::parameters::placement_method(method));
-        }));
+      [&] { PMP::optimize_vertex_locations<ConcurrencyTag>(result, surface, CGAL::parameters::placement_method(method)); }));
   }
   return *std::min_element(times.begin(), times.end());
 }

@@ -58,12 +58,10 @@ inline Mesh remeshed(Mesh mesh, double edge_length, double* seconds = nullptr)
 {
   const CGAL::Bbox_3 box = PMP::bbox(mesh);
   const double side = (std::max)({ box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin() });
-  const double time = thread_time_of(
-      [&]
-      {
-        PMP::isotropic_remeshing(faces(mesh), edge_length * side, mesh,
-                                 CGAL::parameters::number_of_iterations(10).number_of_relaxation_steps(3));
-      });
+  const double time = thread_time_of([&] {
+    PMP::isotropic_remeshing(faces(mesh), edge_length * side, mesh,
+                             CGAL::parameters::number_of_iterations(10).number_of_relaxation_steps(3));
+  });
   mesh.collect_garbage();
   if(seconds != nullptr)
     *seconds = time;
@@ -85,8 +83,7 @@ inline std::vector<Point> vertices_and_midpoints(const Mesh& mesh)
 // Optimizes a copy, and returns the time of the call alone.
 inline double time_of_optimization(Mesh mesh, const Surface& surface, PMP::Placement_method method)
 {
-  return thread_time_of([&]
-                        { PMP::optimize_vertex_locations(mesh, surface, CGAL::parameters::placement_method(method)); });
+  return thread_time_of([&] { PMP::optimize_vertex_locations(mesh, surface, CGAL::parameters::placement_method(method)); });
 }
 
 #endif // VERTEX_LOCATION_OPTIMIZATION_BENCHMARK_MESHES_H

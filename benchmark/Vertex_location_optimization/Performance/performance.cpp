@@ -92,9 +92,9 @@ void measure_growth(std::ofstream& csv, std::ofstream& svg, const Mesh& input, b
   const auto of_remesh = measure_growth_with_remesh(csv, subdivided(input, is_quick ? 0 : 1), is_quick ? 0 : 3);
   const auto of_reference = measure_growth_with_reference(csv, input, is_quick ? 2 : 5);
   print_exponents(csv, of_remesh, of_reference);
-  write_svg(svg, { growth_plot(of_remesh, "vertices", "linear", [](double n) { return n; }),
-                   growth_plot(of_reference, "triangles of the reference", "logarithmic",
-                               [](double m) { return std::log(m); }) });
+  write_svg(
+    svg, { growth_plot(of_remesh, "vertices", "linear", [](double n) { return n; }),
+           growth_plot(of_reference, "triangles of the reference", "logarithmic", [](double m) { return std::log(m); }) });
 }
 
 // Returns false if a result is wrong, however fast.

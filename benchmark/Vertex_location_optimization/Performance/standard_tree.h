@@ -8,7 +8,7 @@
 
 #include "meshes.h"
 
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/compatibility.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/compatibility.h>
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/AABB_tree.h>
@@ -33,8 +33,7 @@ private:
 public:
   using Foot = typename Tree::Point_and_primitive_id;
 
-  explicit Standard_tree(const TriangleMesh& mesh)
-    : m_tree(faces(mesh).first, faces(mesh).second, mesh)
+  explicit Standard_tree(const TriangleMesh& mesh) : m_tree(faces(mesh).first, faces(mesh).second, mesh)
   {
     m_tree.build();
     m_tree.closest_point(mesh.point(*vertices(mesh).first)); // which builds what speeds up the others
@@ -54,12 +53,10 @@ inline double time_of_standard_projection(const Mesh& mesh, const Mesh& referenc
   const Standard_tree<Mesh> tree(reference);
   const std::vector<Point> queries = vertices_and_midpoints(mesh);
   std::vector<Point> feet(queries.size());
-  return thread_time_of(
-      [&]
-      {
-        for(std::size_t i = 0; i < queries.size(); ++i)
-          feet[i] = tree.closest_point(queries[i]);
-      });
+  return thread_time_of([&] {
+    for(std::size_t i = 0; i < queries.size(); ++i)
+      feet[i] = tree.closest_point(queries[i]);
+  });
 }
 
 #endif // VERTEX_LOCATION_OPTIMIZATION_BENCHMARK_STANDARD_TREE_H

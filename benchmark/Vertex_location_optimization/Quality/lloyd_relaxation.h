@@ -68,10 +68,10 @@ void relax_with_Lloyd(CGAL::Surface_mesh<Point>& mesh,
   constexpr std::size_t samples_per_vertex = 50;
   std::vector<Point> samples;
   CGAL::Polygon_mesh_processing::sample_triangle_mesh(
-      input, std::back_inserter(samples),
-      CGAL::parameters::number_of_points_on_faces(samples_per_vertex * mesh.number_of_vertices())
-          .do_sample_vertices(false)
-          .do_sample_edges(false));
+    input, std::back_inserter(samples),
+    CGAL::parameters::number_of_points_on_faces(samples_per_vertex * mesh.number_of_vertices())
+      .do_sample_vertices(false)
+      .do_sample_edges(false));
 
   for(std::size_t i = 0; i < number_of_iterations; ++i)
   {

@@ -68,10 +68,9 @@ inline std::pair<double, double> mean_and_smallest_angle(const Mesh& mesh)
   for(Mesh::Face_index f : mesh.faces())
   {
     const auto h = mesh.halfedge(f);
-    const Point &p = mesh.point(mesh.source(h)), &q = mesh.point(mesh.target(h)),
-                &r = mesh.point(mesh.target(mesh.next(h)));
-    const double angle = (std::min)(
-        { CGAL::approximate_angle(p, q, r), CGAL::approximate_angle(q, r, p), CGAL::approximate_angle(r, p, q) });
+    const Point &p = mesh.point(mesh.source(h)), &q = mesh.point(mesh.target(h)), &r = mesh.point(mesh.target(mesh.next(h)));
+    const double angle =
+      (std::min)({ CGAL::approximate_angle(p, q, r), CGAL::approximate_angle(q, r, p), CGAL::approximate_angle(r, p, q) });
     mean += angle / mesh.number_of_faces();
     smallest = (std::min)(smallest, angle);
   }
@@ -84,8 +83,7 @@ template <typename Surface>
 std::pair<double, double> distance_back(const Mesh& input, const Surface& reference, const Mesh& mesh)
 {
   const PMP::Flat_triangle_surface<Mesh> flat(mesh);
-  auto distance = [&](const Point& p)
-  {
+  auto distance = [&](const Point& p) {
     const Point y = reference.point(reference.project(p));
     return std::sqrt(CGAL::squared_distance(y, flat.point(flat.project(y))));
   };
@@ -130,27 +128,25 @@ Mesh optimize(Mesh mesh, const Surface& reference, Method method)
 {
   const Crease_map is_crease = creases(mesh);
   if(method == SPARSE)
-    fit_sparse_least_squares(mesh, reference,
-                             [&](Mesh::Vertex_index v)
-                             {
-                               for(Mesh::Halfedge_index h : CGAL::halfedges_around_target(v, mesh))
-                                 if(is_crease[mesh.edge(h)])
-                                   return true;
-                               return false;
-                             });
+    fit_sparse_least_squares(mesh, reference, [&](Mesh::Vertex_index v) {
+      for(Mesh::Halfedge_index h : CGAL::halfedges_around_target(v, mesh))
+        if(is_crease[mesh.edge(h)])
+          return true;
+      return false;
+    });
   else
     PMP::optimize_vertex_locations(
-        mesh, reference,
-        CGAL::parameters::placement_method(method == PIECEWISE_LINEAR ? PMP::PIECEWISE_LINEAR : PMP::LEAST_SQUARES)
-            .edge_is_constrained_map(is_crease)
-            .relax_constraints(true));
+      mesh, reference,
+      CGAL::parameters::placement_method(method == PIECEWISE_LINEAR ? PMP::PIECEWISE_LINEAR : PMP::LEAST_SQUARES)
+        .edge_is_constrained_map(is_crease)
+        .relax_constraints(true));
   return mesh;
 }
 
 // Optimizes a remesh of the model with each method and measures the results.
 template <typename Surface>
 Row measure_methods(
-    const Model& model, const std::string& remesher, const Mesh& remesh, double seconds, const Surface& reference)
+  const Model& model, const std::string& remesher, const Mesh& remesh, double seconds, const Surface& reference)
 {
   Row row{ model.name, remesher, model.paper, remesh.number_of_vertices(), {} };
   row.measures[REMESH] = measure(remesh, model, reference, seconds);
@@ -167,10 +163,7 @@ Row measure_methods(
 
 // Makes a remesh of the model with `make_remesh()`, and its row.
 template <typename Surface, typename MakeRemesh>
-Row measure_remesh(const Model& model,
-                   const std::string& remesher,
-                   const Surface& reference,
-                   const MakeRemesh& make_remesh)
+Row measure_remesh(const Model& model, const std::string& remesher, const Surface& reference, const MakeRemesh& make_remesh)
 {
   CGAL::Timer timer;
   timer.start();
@@ -190,15 +183,15 @@ template <typename Surface>
 std::vector<Row> measure_remeshers(const Model& model, const Surface& reference)
 {
   std::vector<Row> rows{ measure_isotropic_remesh(model, reference) };
-  auto add_row = [&](const char* remesher, const auto& make_remesh)
-  { rows.push_back(measure_remesh(model, remesher, reference, make_remesh)); };
+  auto add_row = [&](const char* remesher, const auto& make_remesh) {
+    rows.push_back(measure_remesh(model, remesher, reference, make_remesh));
+  };
   if(model.paper.mean.empty() || model.crease_angle < 180)
     return rows;
   add_row("isotropic, one iteration", [&]() { return remesh_isotropically(model, 1); });
   add_row("isotropic, made rough", [&]() { return remesh_roughly(model, reference); });
   add_row(adaptive_remesher, [&]() { return remesh_adaptively(model); });
-  add_row("centroidal Voronoi",
-          [&]() { return remesh_with_Voronoi_cells(model, rows[0].number_of_vertices, reference); });
+  add_row("centroidal Voronoi", [&]() { return remesh_with_Voronoi_cells(model, rows[0].number_of_vertices, reference); });
   return rows;
 }
 
@@ -206,8 +199,7 @@ std::vector<Row> measure_remeshers(const Model& model, const Surface& reference)
 template <typename F>
 auto with_reference(const Model& model, const F& f)
 {
-  return model.is_flat ? f(PMP::Flat_triangle_surface<Mesh>(model.input))
-                       : f(PMP::PN_triangle_surface<Mesh>(model.input));
+  return model.is_flat ? f(PMP::Flat_triangle_surface<Mesh>(model.input)) : f(PMP::PN_triangle_surface<Mesh>(model.input));
 }
 
 #endif // VERTEX_LOCATION_OPTIMIZATION_BENCHMARK_QUALITY_MEASURES_H

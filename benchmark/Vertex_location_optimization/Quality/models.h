@@ -107,8 +107,7 @@ inline std::vector<Model> models_of_table_1(const std::vector<std::string>& dire
 {
   std::vector<Model> models;
   auto add = [&](const std::string& name, const std::string& file, double edge_length, Paper paper = {},
-                 bool is_flat = false, double crease_angle = 180)
-  {
+                 bool is_flat = false, double crease_angle = 180) {
     if(Mesh mesh = read_model(file); !mesh.is_empty())
     {
       const double length = edge_length > 0 ? edge_length : edge_length_for_a_quarter(mesh);
@@ -144,8 +143,7 @@ struct Series
 inline std::vector<Series> models_of_table_2(const std::vector<std::string>& directories)
 {
   std::vector<Series> series;
-  auto add = [&](const std::string& name, const std::string& file, std::vector<double> edge_lengths, Paper paper)
-  {
+  auto add = [&](const std::string& name, const std::string& file, std::vector<double> edge_lengths, Paper paper) {
     if(Mesh mesh = read_model(file); !mesh.is_empty())
       series.push_back({ { name, std::move(mesh), 0, paper }, std::move(edge_lengths) });
   };
@@ -159,8 +157,7 @@ inline std::vector<Series> models_of_table_2(const std::vector<std::string>& dir
 inline std::vector<Model> models_of_normals(const std::vector<std::string>& directories)
 {
   std::vector<Model> models;
-  auto add = [&](const std::string& name, const std::string& file, double edge_length)
-  {
+  auto add = [&](const std::string& name, const std::string& file, double edge_length) {
     if(Mesh mesh = read_model(file); !mesh.is_empty())
       models.push_back({ name, std::move(mesh), edge_length });
   };

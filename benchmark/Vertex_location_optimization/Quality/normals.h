@@ -26,8 +26,7 @@ template <typename Surface>
 void print_normals(std::ostream& out, const Model& model, const Mesh& remesh, const Surface& reference)
 {
   Mesh mesh = optimize(remesh, reference, PIECEWISE_LINEAR);
-  auto make_map = [&](const char* name)
-  { return mesh.add_property_map<Mesh::Vertex_index, Kernel::Vector_3>(name).first; };
+  auto make_map = [&](const char* name) { return mesh.add_property_map<Mesh::Vertex_index, Kernel::Vector_3>(name).first; };
   const auto own = make_map("v:own"), sampled = make_map("v:sampled"), optimized = make_map("v:optimized");
   PMP::compute_vertex_normals(mesh, own);
   for(Mesh::Vertex_index v : mesh.vertices())

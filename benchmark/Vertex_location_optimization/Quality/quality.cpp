@@ -39,7 +39,7 @@ void make_table_1(const std::vector<std::string>& directories, std::ostream& csv
   {
     std::cerr << model.name << std::endl;
     const std::vector<Row> of_model =
-        with_reference(model, [&](const auto& reference) { return measure_remeshers(model, reference); });
+      with_reference(model, [&](const auto& reference) { return measure_remeshers(model, reference); });
     write_CSV(csv, of_model);
     rows.insert(rows.end(), of_model.begin(), of_model.end());
   }

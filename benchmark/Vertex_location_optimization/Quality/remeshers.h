@@ -31,10 +31,7 @@
 using Crease_map = Mesh::Property_map<Mesh::Edge_index, bool>;
 
 // the creases of a mesh, none unless they have been marked
-inline Crease_map creases(Mesh& mesh)
-{
-  return mesh.add_property_map<Mesh::Edge_index, bool>("e:is_crease", false).first;
-}
+inline Crease_map creases(Mesh& mesh) { return mesh.add_property_map<Mesh::Edge_index, bool>("e:is_crease", false).first; }
 
 // triangles of one size, the more alike the more iterations
 inline Mesh remesh_isotropically(const Model& model, unsigned int number_of_iterations = 10)
@@ -44,8 +41,8 @@ inline Mesh remesh_isotropically(const Model& model, unsigned int number_of_iter
     PMP::detect_sharp_edges(mesh, model.crease_angle, creases(mesh));
   PMP::isotropic_remeshing(faces(mesh), model.edge_length * longest_side(model.input), mesh,
                            CGAL::parameters::number_of_iterations(number_of_iterations)
-                               .number_of_relaxation_steps(3)
-                               .edge_is_constrained_map(creases(mesh)));
+                             .number_of_relaxation_steps(3)
+                             .edge_is_constrained_map(creases(mesh)));
   mesh.collect_garbage();
   return mesh;
 }

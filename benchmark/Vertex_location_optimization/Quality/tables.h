@@ -23,10 +23,7 @@ inline std::string to_text(double value, int digits)
   return text;
 }
 
-inline std::string to_text(const std::optional<double>& value, int digits)
-{
-  return value ? to_text(*value, digits) : "-";
-}
+inline std::string to_text(const std::optional<double>& value, int digits) { return value ? to_text(*value, digits) : "-"; }
 
 // one measure of all methods: remesh / piecewise linear / least squares / sparse system
 template <typename T>
@@ -53,9 +50,9 @@ inline void print_errors(std::ostream& out, const std::vector<Row>& rows)
          "|---|---|---|---|---|---|---|---|---|\n";
   for(const Row& row : rows)
     out << "| " << row.model << " | " << row.remesher << " | " << row.number_of_vertices << " | "
-        << of_all_methods(row, &Measures::mean, 2) << " | " << reductions(row, &Measures::mean) << " | "
-        << row.paper.mean << " | " << of_all_methods(row, &Measures::max, 1) << " | " << reductions(row, &Measures::max)
-        << " | " << row.paper.max << " |\n";
+        << of_all_methods(row, &Measures::mean, 2) << " | " << reductions(row, &Measures::mean) << " | " << row.paper.mean
+        << " | " << of_all_methods(row, &Measures::max, 1) << " | " << reductions(row, &Measures::max) << " | "
+        << row.paper.max << " |\n";
   out << std::endl;
 }
 
@@ -69,8 +66,8 @@ inline void print_costs(std::ostream& out, const std::vector<Row>& rows)
     out << "| " << row.model << " " << row.number_of_vertices << " | " << row.remesher << " | "
         << of_all_methods(row, &Measures::mean_back, 2) << " | " << of_all_methods(row, &Measures::max_back, 1) << " | "
         << of_all_methods(row, &Measures::mean_angle, 1) << " | " << of_all_methods(row, &Measures::smallest_angle, 1)
-        << " | " << of_all_methods(row, &Measures::intersections, 0) << " | "
-        << of_all_methods(row, &Measures::seconds, 2) << " |\n";
+        << " | " << of_all_methods(row, &Measures::intersections, 0) << " | " << of_all_methods(row, &Measures::seconds, 2)
+        << " |\n";
   out << std::endl;
 }
 
@@ -88,11 +85,10 @@ inline void write_CSV(std::ostream& out, const std::vector<Row>& rows)
     for(Method method : { REMESH, PIECEWISE_LINEAR, LEAST_SQUARES, SPARSE })
     {
       const Measures& m = row.measures[method];
-      out << '"' << row.model << "\",\"" << row.remesher << "\"," << row.number_of_vertices << ",\""
-          << method_names[method] << "\"," << m.mean << ',' << m.max << ',' << m.mean_back << ',' << m.max_back << ','
-          << m.mean_angle << ',' << m.smallest_angle << ',' << m.intersections << ',' << m.seconds << ','
-          << row.reduction(method, &Measures::mean) << ',' << row.reduction(method, &Measures::max) << ','
-          << row.paper.mean << ',' << row.paper.max << '\n';
+      out << '"' << row.model << "\",\"" << row.remesher << "\"," << row.number_of_vertices << ",\"" << method_names[method]
+          << "\"," << m.mean << ',' << m.max << ',' << m.mean_back << ',' << m.max_back << ',' << m.mean_angle << ','
+          << m.smallest_angle << ',' << m.intersections << ',' << m.seconds << ',' << row.reduction(method, &Measures::mean)
+          << ',' << row.reduction(method, &Measures::max) << ',' << row.paper.mean << ',' << row.paper.max << '\n';
     }
   out.flush();
 }

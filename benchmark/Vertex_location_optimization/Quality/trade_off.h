@@ -26,8 +26,7 @@ inline void make_trade_off(const Model& model, std::ostream& out)
   out << "Regularity weights: " << model.name << ", " << remesh.number_of_vertices() << " vertices\n\n"
       << "| weight | mean | maximum | mean back | maximum back | angle | smallest angle | intersections |\n"
       << "|---|---|---|---|---|---|---|---|\n";
-  auto print = [&](const std::string& name, const Measures& m)
-  {
+  auto print = [&](const std::string& name, const Measures& m) {
     out << "| " << name << " | " << to_text(m.mean, 2) << " | " << to_text(m.max, 0) << " | " << to_text(m.mean_back, 2)
         << " | " << to_text(m.max_back, 0) << " | " << to_text(m.mean_angle, 1) << " | " << to_text(m.smallest_angle, 1)
         << " | " << m.intersections << " |" << std::endl;
@@ -38,8 +37,8 @@ inline void make_trade_off(const Model& model, std::ostream& out)
   for(double weight : { 0.0125, 0.025, 0.05, 0.1, 0.2, 0.4, 0.8, 1.6 })
   {
     Mesh mesh = remesh;
-    PMP::optimize_vertex_locations(
-        mesh, reference, CGAL::parameters::placement_method(PMP::LEAST_SQUARES).regularity_weight(weight));
+    PMP::optimize_vertex_locations(mesh, reference,
+                                   CGAL::parameters::placement_method(PMP::LEAST_SQUARES).regularity_weight(weight));
     const Measures measures = measure(mesh, model, reference, 0);
     print(to_text(weight, 4), measures);
     errors.emplace_back(weight, measures.mean);

@@ -60,8 +60,7 @@ Mesh make_coarse_remesh(const Mesh& mesh)
 {
   constexpr double relative_length = 0.03, max_number_of_faces = 2e4;
   const double area_of_face = PMP::area(mesh) / max_number_of_faces;
-  return make_remesh(mesh,
-                     (std::max)(relative_length, std::sqrt(area_of_face * 4 / std::sqrt(3.)) / longest_side(mesh)));
+  return make_remesh(mesh, (std::max)(relative_length, std::sqrt(area_of_face * 4 / std::sqrt(3.)) / longest_side(mesh)));
 }
 
 // Neither error is larger than before; that is measured closely where it is not obvious.
@@ -100,8 +99,7 @@ void test(const std::string& name, const Mesh& remesh, const Surface& surface)
 
     check_errors(remesh, mesh, surface, rounding);
     const Face_pairs intersections_after = self_intersections_of(mesh);
-    CHECK(std::includes(intersections.begin(), intersections.end(), intersections_after.begin(),
-                        intersections_after.end()));
+    CHECK(std::includes(intersections.begin(), intersections.end(), intersections_after.begin(), intersections_after.end()));
     const PMP::Approximation_error after = PMP::approximation_error<Tag>(mesh, surface);
     std::printf(" | %7.2f %7.1f", after.mean / unit, after.max / unit);
     std::fflush(stdout);
@@ -138,8 +136,8 @@ int main(int argc, char** argv)
 {
   std::printf("Errors in 1e-4 of the longest side of the bounding box; the time is for both methods.\n\n"
               "%-40s %7s %15s | %15s | %15s %7s\n%-40s %7s %7s %7s | %7s %7s | %7s %7s\n",
-              "", "", "before", "piecewise l.", "least squares", "seconds", "mesh", "vertices", "mean", "max", "mean",
-              "max", "mean", "max");
+              "", "", "before", "piecewise l.", "least squares", "seconds", "mesh", "vertices", "mean", "max", "mean", "max",
+              "mean", "max");
   const std::vector<std::string> files = argc > 1 ? std::vector<std::string>(argv + 1, argv + argc) : all_meshes();
   for(const std::string& file : files)
   {

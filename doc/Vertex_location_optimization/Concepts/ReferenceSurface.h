@@ -12,9 +12,10 @@
  * The functions are called from several threads at the same time when a function of this package is called with
  * `CGAL::Parallel_tag`.
  *
- * A model other than those of this package is asked for each foot in each iteration, where those of this package may
- * walk from the last one; with it, the vertices of constrained edges stay even if `relax_constraints` is `true`, and
- * `LEAST_SQUARES` takes its samples from the remesh alone.
+ * Between the first and the last iteration a sample moves along with its query in the tangent plane, and only when that has
+ * gone some way is its foot found anew. The models of this package then walk from the last foot; another model is asked to
+ * `project()`, with the last foot as the hint. With such a model, the vertices of constrained edges stay even if
+ * `relax_constraints` is `true`, and `LEAST_SQUARES` takes its samples from the remesh alone.
  *
  * A class with a nested type `Foot` is taken for a model of this concept, another one for a triangle mesh.
  *

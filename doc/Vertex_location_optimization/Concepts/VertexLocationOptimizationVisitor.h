@@ -20,7 +20,7 @@ class VertexLocationOptimizationVisitor
 public:
   /*!
    * is called before each phase; `phase` is the one that starts. If there was an iteration, the last phase of the run is
-   * `TAKE_BACK_HARM`, also if `go_further()` has ended it.
+   * `ENFORCE_GUARANTEE`, also if `go_further()` has ended it.
    */
   void start_phase(CGAL::Polygon_mesh_processing::Vertex_location_optimization_phase phase);
 
@@ -33,7 +33,7 @@ public:
   /*!
    * is called before each phase of an iteration, before `start_phase()`. If it returns `false`, the iterations end: the
    * unfinished one is given up, and what the complete ones have reached is the result, with the same guarantees as that
-   * of a full run. `TAKE_BACK_HARM` sees to these and is not asked for: it takes about as long as a few iterations.
+   * of a full run. `ENFORCE_GUARANTEE` sees to these and is not asked for: it takes about as long as a few iterations.
    */
   bool go_further();
 };

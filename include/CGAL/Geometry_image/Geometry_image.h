@@ -23,7 +23,7 @@ namespace CGAL {
  *
  * Neighbors in the grid are neighbors on the surface; the connectivity is not stored. Border samples that coincide
  * exactly, the *side-band*, are one vertex of the surface: with it an image can be a closed surface, too. See
- * `triangulate()`.
+ * `geometry_image_to_polygon_mesh()`.
  *
  * \tparam Point_3_ the type of the points, `%Point_3` of a model of `Kernel`
  *

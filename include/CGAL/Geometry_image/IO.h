@@ -65,8 +65,8 @@ Raster make_raster(const Geometry_image<Point_3>& image)
   raster.samples.reserve(image.width() * image.height());
   for(const Point_3& p : image)
   {
-    raster.samples.push_back({ static_cast<float>(to_double(p.x())), static_cast<float>(to_double(p.y())),
-                               static_cast<float>(to_double(p.z())) });
+    raster.samples.push_back(
+      { static_cast<float>(to_double(p.x())), static_cast<float>(to_double(p.y())), static_cast<float>(to_double(p.z())) });
     for(float x : raster.samples.back())
       if(!std::isfinite(x))
         throw std::runtime_error("a coordinate is not finite in single precision");
@@ -115,8 +115,7 @@ bool read_geometry_image(const std::string& fname,
 {
   using namespace CGAL::internal::geometry_image;
 
-  return try_with_file(fname, np, [&]()
-  {
+  return try_with_file(fname, np, [&]() {
     const Raster_format format = format_of_file(fname);
     std::ifstream is(fname, std::ios::binary);
     if(!is)
@@ -164,8 +163,7 @@ bool write_geometry_image(const std::string& fname,
 {
   using namespace CGAL::internal::geometry_image;
 
-  return try_with_file(fname, np, [&]()
-  {
+  return try_with_file(fname, np, [&]() {
     const Raster_format format = format_of_file(fname);
     Raster raster = make_raster(image);
     std::ofstream os(fname, std::ios::binary);

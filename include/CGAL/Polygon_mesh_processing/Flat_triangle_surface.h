@@ -6,8 +6,8 @@
 #ifndef CGAL_POLYGON_MESH_PROCESSING_FLAT_TRIANGLE_SURFACE_H
 #define CGAL_POLYGON_MESH_PROCESSING_FLAT_TRIANGLE_SURFACE_H
 
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/named_parameters.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Patch_surface.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/named_parameters.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/Patch_surface.h>
 
 #include <CGAL/Default.h>
 #include <CGAL/tags.h>
@@ -23,11 +23,8 @@ namespace Polygon_mesh_processing {
  * It is the reference surface for dense scans, whose triangles are much smaller than those of the remesh, and for
  * parts with planar faces. Its normals are those of the faces.
  *
- * The surface is a copy: it neither refers to the mesh nor changes with it. Once constructed it can be used by several
- * threads at the same time.
- *
- * The construction takes \cgalBigO{n \log n} time for \f$ n \f$ faces, and a projection \cgalBigO{\log n} where the
- * query point is near the surface.
+ * It is a copy, which several threads can use at the same time, and takes as long as `PN_triangle_surface` to construct and
+ * to project to.
  *
  * \tparam TriangleMesh a model of `VertexListGraph`, `EdgeListGraph`, and `FaceListGraph`
  * \tparam GeomTraits a model of `Kernel`, whose points the surface receives and returns. The computations are done in
@@ -41,55 +38,21 @@ namespace Polygon_mesh_processing {
 template <typename TriangleMesh, typename GeomTraits = Default>
 class Flat_triangle_surface
 #ifndef DOXYGEN_RUNNING
-  : public internal::vertex_location::Patch_surface<internal::vertex_location::Flat_triangle,
+  : public internal::vertex_location::Patch_surface<
+      internal::vertex_location::Flat_triangle,
       internal::vertex_location::Geom_traits_or_kernel_of<TriangleMesh, GeomTraits>>
 #endif
 {
-  using Base = internal::vertex_location::Patch_surface<internal::vertex_location::Flat_triangle,
-    internal::vertex_location::Geom_traits_or_kernel_of<TriangleMesh, GeomTraits>>;
+  using Base =
+    internal::vertex_location::Patch_surface<internal::vertex_location::Flat_triangle,
+                                             internal::vertex_location::Geom_traits_or_kernel_of<TriangleMesh, GeomTraits>>;
 
 public:
   /*!
    * \brief constructs the surface of `tmesh`.
    *
-   * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
-   * \tparam ConcurrencyTag enables sequential versus parallel construction; possible values are `Sequential_tag`,
-   *                        `Parallel_tag`, and `Parallel_if_available_tag`
-   *
-   * \param tmesh the triangle mesh
-   * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
-   *
-   * \cgalNamedParamsBegin
-   *   \cgalParamNBegin{vertex_point_map}
-   *     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
-   *     \cgalParamType{a class model of `ReadablePropertyMap` with
-   *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
-   *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
-   *   \cgalParamNEnd
-   *
-   *   \cgalParamNBegin{edge_is_constrained_map}
-   *     \cgalParamDescription{a property map containing the crease-or-not status of each edge of `tmesh`. Creases do not
-   *                           change the surface; they are what `optimize_vertex_locations()` fits constrained edges to
-   *                           if its parameter `relax_constraints` is `true`.}
-   *     \cgalParamType{a class model of `ReadablePropertyMap` with
-   *                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type}
-   *     \cgalParamDefault{the edges sharper than `sharpness_angle` are creases}
-   *     \cgalParamExtra{If both this map and `sharpness_angle` are given, an edge is a crease if one of them says so.}
-   *   \cgalParamNEnd
-   *
-   *   \cgalParamNBegin{sharpness_angle}
-   *     \cgalParamDescription{An edge is a crease if the normals of its two faces differ by more than this angle.}
-   *     \cgalParamType{a number type convertible to `double`, in degrees}
-   *     \cgalParamDefault{`45`}
-   *   \cgalParamNEnd
-   *
-   *   \cgalParamNBegin{geom_traits}
-   *     \cgalParamDescription{an instance of a geometric traits class}
-   *     \cgalParamType{a class model of `Kernel`}
-   *     \cgalParamDefault{a \cgal kernel deduced from the point type, using `CGAL::Kernel_traits`}
-   *     \cgalParamExtra{It must be compatible with the point type. The surface itself uses `GeomTraits`.}
-   *   \cgalParamNEnd
-   * \cgalNamedParamsEnd
+   * The parameters are those of the constructor of `PN_triangle_surface`. Creases do not change this surface; they are what
+   * `optimize_vertex_locations()` fits constrained edges to if its parameter `relax_constraints` is `true`.
    *
    * \pre `CGAL::is_triangle_mesh(tmesh)`, and all coordinates are finite. Otherwise the surface is empty.
    */
@@ -97,7 +60,7 @@ public:
   explicit Flat_triangle_surface(const TriangleMesh& tmesh,
                                  const NamedParameters& np = parameters::default_values(),
                                  const ConcurrencyTag& = ConcurrencyTag())
-    : Base(internal::vertex_location::make_reference_patches<internal::vertex_location::Flat_triangle, ConcurrencyTag>(tmesh, np))
+    : Base(Base::template make_patches<ConcurrencyTag>(tmesh, np))
   {}
 
 #ifdef DOXYGEN_RUNNING

@@ -6,8 +6,8 @@
 #ifndef CGAL_POLYGON_MESH_PROCESSING_PN_TRIANGLE_SURFACE_H
 #define CGAL_POLYGON_MESH_PROCESSING_PN_TRIANGLE_SURFACE_H
 
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/named_parameters.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Patch_surface.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/named_parameters.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/Patch_surface.h>
 
 #include <CGAL/Default.h>
 #include <CGAL/tags.h>
@@ -43,12 +43,14 @@ namespace Polygon_mesh_processing {
 template <typename TriangleMesh, typename GeomTraits = Default>
 class PN_triangle_surface
 #ifndef DOXYGEN_RUNNING
-  : public internal::vertex_location::Patch_surface<internal::vertex_location::PN_triangle,
+  : public internal::vertex_location::Patch_surface<
+      internal::vertex_location::PN_triangle,
       internal::vertex_location::Geom_traits_or_kernel_of<TriangleMesh, GeomTraits>>
 #endif
 {
-  using Base = internal::vertex_location::Patch_surface<internal::vertex_location::PN_triangle,
-    internal::vertex_location::Geom_traits_or_kernel_of<TriangleMesh, GeomTraits>>;
+  using Base =
+    internal::vertex_location::Patch_surface<internal::vertex_location::PN_triangle,
+                                             internal::vertex_location::Geom_traits_or_kernel_of<TriangleMesh, GeomTraits>>;
 
 public:
   /*!
@@ -82,13 +84,6 @@ public:
    *     \cgalParamType{a number type convertible to `double`, in degrees}
    *     \cgalParamDefault{`45`}
    *   \cgalParamNEnd
-   *
-   *   \cgalParamNBegin{geom_traits}
-   *     \cgalParamDescription{an instance of a geometric traits class}
-   *     \cgalParamType{a class model of `Kernel`}
-   *     \cgalParamDefault{a \cgal kernel deduced from the point type, using `CGAL::Kernel_traits`}
-   *     \cgalParamExtra{It must be compatible with the point type. The surface itself uses `GeomTraits`.}
-   *   \cgalParamNEnd
    * \cgalNamedParamsEnd
    *
    * \pre `CGAL::is_triangle_mesh(tmesh)`, and all coordinates are finite. Otherwise the surface is empty.
@@ -97,7 +92,7 @@ public:
   explicit PN_triangle_surface(const TriangleMesh& tmesh,
                                const NamedParameters& np = parameters::default_values(),
                                const ConcurrencyTag& = ConcurrencyTag())
-    : Base(internal::vertex_location::make_reference_patches<internal::vertex_location::PN_triangle, ConcurrencyTag>(tmesh, np))
+    : Base(Base::template make_patches<ConcurrencyTag>(tmesh, np))
   {}
 
 #ifdef DOXYGEN_RUNNING

@@ -13,6 +13,8 @@ namespace Polygon_mesh_processing {
  * \ingroup PkgVertexLocationOptimizationRef
  *
  * \brief How `CGAL::Polygon_mesh_processing::optimize_vertex_locations()` places a vertex among its samples.
+ *
+ * The placement of \ref PkgSurfaceMeshSimplification is another one, that of the vertex that a collapsed edge becomes.
  */
 enum Placement_method
 {

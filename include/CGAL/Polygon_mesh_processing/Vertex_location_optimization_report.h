@@ -14,6 +14,40 @@ namespace Polygon_mesh_processing {
 /*!
  * \ingroup PkgVertexLocationOptimizationRef
  *
+ * \brief The kinds of reference surfaces.
+ */
+enum class Reference_surface_kind
+{
+  /// the faces of a mesh
+  FLAT,
+  /// PN triangles over the faces of a mesh
+  PN,
+  /// another model of `ReferenceSurface`
+  OTHER
+};
+
+/*!
+ * \ingroup PkgVertexLocationOptimizationRef
+ *
+ * \brief What a remesh was compared with, and how far that is from the faces of the mesh it was made of.
+ *
+ * The deviation is measured at the midpoints of the edges and the barycenters of the faces, in the unit of the input.
+ */
+struct Reference_surface_summary
+{
+  /// the kind of the surface
+  Reference_surface_kind kind = Reference_surface_kind::OTHER;
+
+  /// the mean distance of the surface from the faces; `0` if it is flat, or of another kind
+  double mean_deviation = 0;
+
+  /// the largest distance
+  double maximum_deviation = 0;
+};
+
+/*!
+ * \ingroup PkgVertexLocationOptimizationRef
+ *
  * \brief What an optimization did.
  *
  * \sa `CGAL::Polygon_mesh_processing::optimize_vertex_locations()`
@@ -32,6 +66,9 @@ struct Vertex_location_optimization_report
   /// the number of vertices whose moves were shortened, so that no face is flipped or collapses
   /// and nothing gets worse
   std::size_t corrected_vertices = 0;
+
+  /// the surface to which the mesh was fitted
+  Reference_surface_summary reference;
 };
 
 /*!
@@ -39,18 +76,18 @@ struct Vertex_location_optimization_report
  *
  * \brief The phases of a run, in their order: those of an iteration, and the last one, which ends the run.
  */
-enum Vertex_location_optimization_phase
+enum class Vertex_location_optimization_phase
 {
   /// samples are taken from the reference surface
   SAMPLE_REFERENCE,
-  /// the vertices are fitted to the samples
-  FIT_VERTICES,
+  /// the vertices are placed among the samples
+  PLACE_VERTICES,
   /// the vertices are relaxed along the surface; nothing is done in it after the free iterations
   RELAX_VERTICES,
   /// moves that flip a face are shortened
   CORRECT_FLIPS,
-  /// after the iterations: the error is compared with that of the input, and moves that do harm are shortened
-  TAKE_BACK_HARM
+  /// after the iterations: the result is compared with the input, and moves that make it worse are shortened
+  ENFORCE_GUARANTEE
 };
 
 /*!

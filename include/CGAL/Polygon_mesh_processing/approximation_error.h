@@ -6,19 +6,18 @@
 #ifndef CGAL_POLYGON_MESH_PROCESSING_APPROXIMATION_ERROR_H
 #define CGAL_POLYGON_MESH_PROCESSING_APPROXIMATION_ERROR_H
 
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/measure_error.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/measure_normals.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/named_parameters.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/normal_maps.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/read_parameters.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/with_reference_surface.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Attributes/normal_maps.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Measure/measure_error.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Measure/measure_normals.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/with_reference_surface.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/named_parameters.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/read_mesh.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/read_parameters.h>
 
-#include <CGAL/assertions.h>
 #include <CGAL/tags.h>
 
 #include <limits>
 #include <type_traits>
-#include <vector>
 
 namespace CGAL {
 namespace Polygon_mesh_processing {
@@ -64,7 +63,7 @@ struct Approximation_error
  *
  * In this direction it is the faces of `input`, not its PN triangles, that are sampled.
  *
- * The result does not depend on the number of threads.
+ * The computations are done in double precision. The result does not depend on the number of threads.
  *
  * \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
  *                        `Parallel_tag`, and `Parallel_if_available_tag`.
@@ -85,14 +84,6 @@ struct Approximation_error
  *     \cgalParamType{a class model of `ReadablePropertyMap` with
  *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
  *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
- *   \cgalParamNEnd
- *
- *   \cgalParamNBegin{geom_traits}
- *     \cgalParamDescription{an instance of a geometric traits class}
- *     \cgalParamType{a class model of `Kernel`}
- *     \cgalParamDefault{a \cgal kernel deduced from the point type, using `CGAL::Kernel_traits`}
- *     \cgalParamExtra{The geometric traits class must be compatible with the vertex point type. The computations are
- *                     done in double precision with any kernel.}
  *   \cgalParamNEnd
  *
  *   \cgalParamNBegin{number_of_points_per_face}
@@ -156,26 +147,15 @@ Approximation_error approximation_error(const TriangleMesh& tmesh,
   constexpr bool has_vertex_map = !is_default_parameter<NamedParameters1, internal_np::vertex_error_map_t>::value;
   constexpr double infinity = std::numeric_limits<double>::infinity();
 
-  const auto vpm = read_vertex_point_map(tmesh, np1);
-  const bool is_valid = is_valid_input(tmesh, vpm);
-  CGAL_precondition(is_valid);
-  if(!is_valid)
-    return { infinity, infinity, infinity };
-
+  Mesh_arrays mesh;
   Mesh_descriptors<TriangleMesh> descriptors;
-  const Mesh_arrays mesh = make_mesh_arrays(tmesh, vpm, descriptors);
-  const std::size_t number_of_points = choose_parameter(get_parameter(np1, internal_np::number_of_points_per_face),
-                                                        default_number_of_points_per_face);
+  const Approximation_error failure{ infinity, infinity, infinity };
+  if(!read_mesh(tmesh, read_vertex_point_map(tmesh, np1), mesh, descriptors))
+    return failure;
+  const std::size_t number_of_points =
+    choose_parameter(get_parameter(np1, internal_np::number_of_points_per_face), default_number_of_points_per_face);
 
-  return with_reference_surface<ConcurrencyTag>(reference, np2, [&](const auto& surface) -> Approximation_error
-  {
-    if(mesh.points.empty())
-      return {};
-    const bool has_reference = !is_empty_surface(surface);
-    CGAL_precondition(has_reference);
-    if(!has_reference)
-      return { infinity, infinity, infinity };
-
+  return with_reference<ConcurrencyTag>(mesh, reference, np2, failure, [&](const auto& surface) -> Approximation_error {
     const auto vertex_feet = project_vertices<ConcurrencyTag>(mesh, surface);
     const auto face_errors = measure_faces<ConcurrencyTag>(mesh, surface, vertex_feet, number_of_points);
 
@@ -207,7 +187,7 @@ Approximation_error approximation_error(const TriangleMesh& tmesh,
  * with the normal of the reference at the closest point. The mean is taken over the area of `tmesh`, as
  * `approximation_error()` does.
  *
- * The result does not depend on the number of threads.
+ * The computations are done in double precision. The result does not depend on the number of threads.
  *
  * \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
  *                        `Parallel_tag`, and `Parallel_if_available_tag`.
@@ -225,32 +205,8 @@ Approximation_error approximation_error(const TriangleMesh& tmesh,
  *                  `PN_triangle_surface`, or a reference surface
  * \param normal_map the normals of the vertices of `tmesh`, or those of the corners of its faces: the normal of a
  *                   halfedge is that of its face at its target. They need not have length 1.
- * \param np1 an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
- *
- * \cgalNamedParamsBegin
- *   \cgalParamNBegin{vertex_point_map}
- *     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
- *     \cgalParamType{a class model of `ReadablePropertyMap` with
- *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
- *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
- *   \cgalParamNEnd
- *
- *   \cgalParamNBegin{geom_traits}
- *     \cgalParamDescription{an instance of a geometric traits class}
- *     \cgalParamType{a class model of `Kernel`}
- *     \cgalParamDefault{a \cgal kernel deduced from the point type, using `CGAL::Kernel_traits`}
- *     \cgalParamExtra{The geometric traits class must be compatible with the vertex point type. The computations are
- *                     done in double precision with any kernel.}
- *   \cgalParamNEnd
- *
- *   \cgalParamNBegin{number_of_points_per_face}
- *     \cgalParamDescription{the number of samples in each face. It is rounded up to a square number: the samples are the
- *                           centroids of congruent triangles that the face is divided into.}
- *     \cgalParamType{unsigned integer}
- *     \cgalParamDefault{`64`}
- *   \cgalParamNEnd
- * \cgalNamedParamsEnd
- *
+ * \param np1 an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map` and
+ *            `number_of_points_per_face`, as those of `approximation_error()`
  * \param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters": those of the constructor of
  *            `PN_triangle_surface` if `reference` is a triangle mesh; not used if it is a reference surface
  *
@@ -272,7 +228,8 @@ template <typename ConcurrencyTag = Sequential_tag,
           typename NamedParameters1 = parameters::Default_named_parameters,
           typename NamedParameters2 = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING
-          , std::enable_if_t<!internal::Is_named_parameters<NormalMap>::value, int> = 0
+          ,
+          std::enable_if_t<!internal::Is_named_parameters<NormalMap>::value, int> = 0
 #endif
           >
 double normal_deviation(const TriangleMesh& tmesh,
@@ -282,8 +239,7 @@ double normal_deviation(const TriangleMesh& tmesh,
                         const NamedParameters2& np2 = parameters::default_values())
 {
   using namespace internal::vertex_location;
-  return measure_normals<ConcurrencyTag>(tmesh, reference, np1, np2, [&](const auto& mesh, const auto& descriptors)
-  {
+  return measure_normals<ConcurrencyTag>(tmesh, reference, np1, np2, [&](const auto& mesh, const auto& descriptors) {
     return read_corner_normals(tmesh, mesh, descriptors, normal_map);
   });
 }
@@ -301,7 +257,8 @@ template <typename ConcurrencyTag = Sequential_tag,
           typename NamedParameters1 = parameters::Default_named_parameters,
           typename NamedParameters2 = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING
-          , std::enable_if_t<internal::Is_named_parameters<NamedParameters1>::value, int> = 0
+          ,
+          std::enable_if_t<internal::Is_named_parameters<NamedParameters1>::value, int> = 0
 #endif
           >
 double normal_deviation(const TriangleMesh& tmesh,
@@ -310,10 +267,8 @@ double normal_deviation(const TriangleMesh& tmesh,
                         const NamedParameters2& np2 = parameters::default_values())
 {
   using namespace internal::vertex_location;
-  return measure_normals<ConcurrencyTag>(tmesh, reference, np1, np2, [](const auto& mesh, const auto&)
-  {
-    return face_normals_at_corners<ConcurrencyTag>(mesh);
-  });
+  return measure_normals<ConcurrencyTag>(
+    tmesh, reference, np1, np2, [](const auto& mesh, const auto&) { return face_normals_at_corners<ConcurrencyTag>(mesh); });
 }
 
 } // namespace Polygon_mesh_processing

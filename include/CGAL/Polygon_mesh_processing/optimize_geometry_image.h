@@ -26,10 +26,10 @@ namespace Polygon_mesh_processing {
  *
  * A down-sampled image is a remesh of the full one, with a regular connectivity. It is optimized as by
  * `optimize_vertex_locations()`, with its guarantees, but without springs: the triangles of an image are irregular on
- * purpose. The triangles are those of `triangulate()` for the image as it is given. Samples that are one vertex stay
- * identical to the last bit, so that the image stays watertight; the border of an open image stays where it is. The
- * shorter diagonals of the result may be others: `triangulate(image, tmesh, diagonals)` gives its triangles. See Section
- * 3.5 of \cgalCite{vlo2012}.
+ * purpose. They are those of `geometry_image_to_polygon_mesh()` for the image as it is given. Samples that are one vertex
+ * stay identical to the last bit, so that the image stays watertight; the border of an open image stays where it is. The
+ * shorter diagonals of the result may be others: `geometry_image_to_polygon_mesh(image, tmesh, diagonals)` gives its
+ * triangles. See Section 3.5 of \cgalCite{vlo2012}.
  *
  * The result does not depend on the number of threads.
  *
@@ -43,60 +43,10 @@ namespace Polygon_mesh_processing {
  * \param image the image, whose samples are moved
  * \param reference the surface that the image approximates: a triangle mesh, which is taken as a `PN_triangle_surface`,
  *                  or a reference surface, such as the `Flat_triangle_surface` of the triangulated full image
- * \param np1 an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
- *
- * \cgalNamedParamsBegin
- *   \cgalParamNBegin{number_of_iterations}
- *     \cgalParamDescription{the number of iterations at most}
- *     \cgalParamType{unsigned integer}
- *     \cgalParamDefault{`30`}
- *   \cgalParamNEnd
- *
- *   \cgalParamNBegin{number_of_free_iterations}
- *     \cgalParamDescription{In the first so many iterations a sample moves freely, afterwards only along the normal of
- *                           the reference.}
- *     \cgalParamType{unsigned integer}
- *     \cgalParamDefault{`20`}
- *   \cgalParamNEnd
- *
- *   \cgalParamNBegin{convergence_threshold}
- *     \cgalParamDescription{The iterations end when no sample has moved farther than this, relative to the mean edge
- *                           length of the triangulated image; with `LEAST_SQUARES`, along the normals in the root mean
- *                           square.}
- *     \cgalParamType{a number type convertible to `double`}
- *     \cgalParamDefault{`1e-6`; with `LEAST_SQUARES` `7.5e-4`}
- *   \cgalParamNEnd
- *
- *   \cgalParamNBegin{placement_method}
- *     \cgalParamDescription{how a sample is placed among those of the reference}
- *     \cgalParamType{`Placement_method`}
- *     \cgalParamDefault{`PIECEWISE_LINEAR`}
- *   \cgalParamNEnd
- *
- *   \cgalParamNBegin{regularity_weight}
- *     \cgalParamDescription{with `LEAST_SQUARES`, the weight of the regularity of the triangles beside their error}
- *     \cgalParamType{a number type convertible to `double`}
- *     \cgalParamDefault{`0.15`}
- *   \cgalParamNEnd
- *
- *   \cgalParamNBegin{relax_constraints}
- *     \cgalParamDescription{If `true`, the border of an open image follows that of the reference, but for its corners.}
- *     \cgalParamType{Boolean}
- *     \cgalParamDefault{`false`}
- *   \cgalParamNEnd
- *
- *   \cgalParamNBegin{do_self_intersection_tests}
- *     \cgalParamDescription{If `true`, moves are shortened until no two triangles intersect that did not before.}
- *     \cgalParamType{Boolean}
- *     \cgalParamDefault{`false`; with `LEAST_SQUARES` `true`}
- *   \cgalParamNEnd
- *
- *   \cgalParamNBegin{visitor}
- *     \cgalParamDescription{a visitor that is told about the progress and can end the run}
- *     \cgalParamType{a class model of `VertexLocationOptimizationVisitor`; `std::ref()` of one, so that it is not copied}
- *     \cgalParamDefault{`Vertex_location_optimization_default_visitor`}
- *   \cgalParamNEnd
- * \cgalNamedParamsEnd
+ * \param np1 an optional sequence of \ref bgl_namedparameters "Named Parameters": those of `optimize_vertex_locations()`
+ *            that are not about the vertices and edges of a mesh, with the same defaults: `number_of_iterations`,
+ *            `number_of_free_iterations`, `convergence_threshold`, `placement_method`, `regularity_weight`,
+ *            `relax_constraints` (which are the borders of an open image), `do_self_intersection_tests`, and `visitor`
  *
  * \param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters": those of the constructor of
  *            `PN_triangle_surface` if `reference` is a triangle mesh; not used if it is a reference surface
@@ -114,11 +64,10 @@ template <typename ConcurrencyTag = Sequential_tag,
           typename Reference,
           typename NamedParameters1 = parameters::Default_named_parameters,
           typename NamedParameters2 = parameters::Default_named_parameters>
-Vertex_location_optimization_report
-optimize_geometry_image(Geometry_image<Point_3>& image,
-                        const Reference& reference,
-                        const NamedParameters1& np1 = parameters::default_values(),
-                        const NamedParameters2& np2 = parameters::default_values())
+Vertex_location_optimization_report optimize_geometry_image(Geometry_image<Point_3>& image,
+                                                            const Reference& reference,
+                                                            const NamedParameters1& np1 = parameters::default_values(),
+                                                            const NamedParameters2& np2 = parameters::default_values())
 {
   using namespace CGAL::internal::geometry_image;
   using Mesh = Surface_mesh<Point_3>;

@@ -6,22 +6,22 @@
 #ifndef CGAL_POLYGON_MESH_PROCESSING_OPTIMIZE_VERTEX_LOCATIONS_H
 #define CGAL_POLYGON_MESH_PROCESSING_OPTIMIZE_VERTEX_LOCATIONS_H
 
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Initial_points.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/memory.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/named_parameters.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/read_parameters.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Self_intersection_test.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/New_intersections.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Placement/make_placement.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/read_optimization_parameters.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/with_reference_surface.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Remesh.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/named_parameters.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/read_mesh.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/read_parameters.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Vertex_location_optimizer.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/with_reference_surface.h>
 #include <CGAL/Polygon_mesh_processing/Placement_method.h>
 #include <CGAL/Polygon_mesh_processing/Vertex_location_optimization_report.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>
 
-#include <type_traits>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Polygon_mesh_processing {
@@ -41,14 +41,15 @@ namespace Polygon_mesh_processing {
  * and shortens moves that flip a face. It is Algorithm 1 of \cgalCite{vlo2012}; its equations (1) to (4) are those
  * of the fit and of the springs.
  *
- * The result is never worse than the input: neither the mean nor the maximum distance of `tmesh` to the reference is
+ * As sampled, the result is never worse than the input: neither the mean nor the maximum distance of `tmesh` to the reference is
  * larger than before; no face is flipped, that is, has turned by more than 60 degrees or opposes the reference where it
  * did not before; and no face has collapsed, to a smallest angle below 10 degrees and below half of what it was. To that
  * end the distance is sampled at the vertices, the midpoints of the edges and the barycenters of the faces, and at 45
  * points of the faces that come near the maximum; moves are shortened where they do harm. The distance in the other
  * direction, from the reference to `tmesh`, is not guaranteed.
  *
- * The result does not depend on the number of threads.
+ * The computations are done in double precision, whatever the kernel of the points; with an exact one the points of the
+ * vertices that move are converted. The result does not depend on the number of threads.
  *
  * An iteration takes \cgalBigO{n \log m} time for \f$ n \f$ vertices and a reference of \f$ m \f$ faces.
  *
@@ -73,15 +74,6 @@ namespace Polygon_mesh_processing {
  *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
  *     \cgalParamExtra{If this parameter is omitted, an internal property map for `CGAL::vertex_point_t` must be
  *                     available in `TriangleMesh`.}
- *   \cgalParamNEnd
- *
- *   \cgalParamNBegin{geom_traits}
- *     \cgalParamDescription{an instance of a geometric traits class}
- *     \cgalParamType{a class model of `Kernel`}
- *     \cgalParamDefault{a \cgal kernel deduced from the point type, using `CGAL::Kernel_traits`}
- *     \cgalParamExtra{The geometric traits class must be compatible with the vertex point type. The computations are
- *                     done in double precision with any kernel; with an exact one the points of the vertices that move
- *                     are converted.}
  *   \cgalParamNEnd
  *
  *   \cgalParamNBegin{number_of_iterations}
@@ -201,11 +193,10 @@ template <typename ConcurrencyTag = Sequential_tag,
           typename Reference,
           typename NamedParameters1 = parameters::Default_named_parameters,
           typename NamedParameters2 = parameters::Default_named_parameters>
-Vertex_location_optimization_report
-optimize_vertex_locations(TriangleMesh& tmesh,
-                          const Reference& reference,
-                          const NamedParameters1& np1 = parameters::default_values(),
-                          const NamedParameters2& np2 = parameters::default_values())
+Vertex_location_optimization_report optimize_vertex_locations(TriangleMesh& tmesh,
+                                                              const Reference& reference,
+                                                              const NamedParameters1& np1 = parameters::default_values(),
+                                                              const NamedParameters2& np2 = parameters::default_values())
 {
   using namespace internal::vertex_location;
   using parameters::choose_parameter;
@@ -214,69 +205,42 @@ optimize_vertex_locations(TriangleMesh& tmesh,
   auto vpm = read_vertex_point_map(tmesh, np1);
   using Point_3 = typename boost::property_traits<decltype(vpm)>::value_type;
 
-  const bool is_valid = is_valid_input(tmesh, vpm);
-  CGAL_precondition(is_valid);
-  if(!is_valid)
-    return {};
-
-  Options options(choose_parameter(get_parameter(np1, internal_np::placement_method), PIECEWISE_LINEAR));
-  options.number_of_iterations =
-    choose_parameter(get_parameter(np1, internal_np::number_of_iterations), options.number_of_iterations);
-  options.number_of_free_iterations =
-    choose_parameter(get_parameter(np1, internal_np::number_of_free_iterations), options.number_of_free_iterations);
-  options.number_of_relaxation_steps =
-    choose_parameter(get_parameter(np1, internal_np::number_of_relaxation_steps), options.number_of_relaxation_steps);
-  options.convergence_threshold =
-    to_double(choose_parameter(get_parameter(np1, internal_np::convergence_threshold), options.convergence_threshold));
-  options.do_self_intersection_tests =
-    choose_parameter(get_parameter(np1, internal_np::do_self_intersection_tests), options.do_self_intersection_tests);
-  options.regularity_weight =
-    to_double(choose_parameter(get_parameter(np1, internal_np::regularity_weight), options.regularity_weight));
+  const Optimization_options options = read_options(np1);
   const bool has_valid_options = options.convergence_threshold >= 0 && options.regularity_weight >= 0;
   CGAL_precondition(has_valid_options);
   if(!has_valid_options)
     return {};
 
+  Mesh_arrays mesh;
   Mesh_descriptors<TriangleMesh> descriptors;
-  Mesh_arrays mesh = make_mesh_arrays(tmesh, vpm, descriptors);
+  if(!read_mesh(tmesh, vpm, mesh, descriptors))
+    return {};
   Constraints constraints = read_constraints(mesh, descriptors, np1);
-  release(mesh.edge_corners); // what they and the edges are needed for is in the constraints
-  release(descriptors.edges);
-
-  const Initial_points<TriangleMesh, decltype(vpm)> initial_points(descriptors.vertices, vpm, mesh.points);
+  Remesh remesh(std::move(mesh), std::move(constraints));
 
   auto is_allowed = choose_parameter(get_parameter(np1, internal_np::allow_move_functor), Allow_all_moves());
-  const auto allow_move = [&](std::size_t i, const Point& source, const Point& target)
-  {
+  const auto allow_move = [&](std::size_t i, const Point& source, const Point& target) {
     return is_allowed(descriptors.vertices[i], convert<Point_3>(source), convert<Point_3>(target));
   };
-
-  if(!options.do_self_intersection_tests)
-    release(descriptors.halfedges);
   const Self_intersection_test<ConcurrencyTag, TriangleMesh> find_self_intersections(tmesh, descriptors,
                                                                                      options.do_self_intersection_tests);
-
-  auto visitor_or_reference = choose_parameter(get_parameter(np1, internal_np::visitor),
-                                               Vertex_location_optimization_default_visitor());
+  auto visitor_or_reference =
+    choose_parameter(get_parameter(np1, internal_np::visitor), Vertex_location_optimization_default_visitor());
   auto& visitor = unwrap_reference(visitor_or_reference);
 
-  return with_reference_surface<ConcurrencyTag>(reference, np2, [&](const auto& surface)
-  {
-    const bool has_reference = !is_empty_surface(surface) || mesh.points.empty();
-    CGAL_precondition(has_reference);
-    if(!has_reference)
-      return Vertex_location_optimization_report();
+  const auto report =
+    with_reference<ConcurrencyTag>(remesh, reference, np2, Vertex_location_optimization_report(), [&](const auto& surface) {
+      Vertex_location_optimization_report result =
+        optimize<ConcurrencyTag>(surface, options, allow_move, find_self_intersections, visitor,
+                                 make_placement<ConcurrencyTag>(surface, remesh, options), remesh);
+      result.reference = surface.template summary<ConcurrencyTag>();
+      return result;
+    });
 
-    using Surface = std::decay_t<decltype(surface)>;
-    Optimization_state<Hint_of<Surface>> state(std::move(mesh), std::move(constraints), options.placement_method);
-    const auto report = optimize<ConcurrencyTag>(state, surface, options, initial_points, allow_move,
-                                                 find_self_intersections, visitor);
-
-    for(std::size_t i = 0; i < state.mesh.points.size(); ++i)
-      if(state.mesh.points[i] != initial_points(i))
-        put(vpm, descriptors.vertices[i], convert<Point_3>(state.mesh.points[i]));
-    return report;
-  });
+  for(std::size_t i = 0; i < remesh.points.size(); ++i)
+    if(remesh.points[i] != remesh.initial_points[i])
+      put(vpm, descriptors.vertices[i], convert<Point_3>(remesh.points[i]));
+  return report;
 }
 
 } // namespace Polygon_mesh_processing

@@ -6,13 +6,13 @@
 #ifndef CGAL_POLYGON_MESH_PROCESSING_OPTIMIZE_VERTEX_NORMALS_H
 #define CGAL_POLYGON_MESH_PROCESSING_OPTIMIZE_VERTEX_NORMALS_H
 
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/fit_normals.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/named_parameters.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/normal_maps.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/read_parameters.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/with_reference_surface.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Attributes/fit_normals.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Attributes/normal_maps.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/with_reference_surface.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/named_parameters.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/read_mesh.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/read_parameters.h>
 
-#include <CGAL/assertions.h>
 #include <CGAL/tags.h>
 
 #include <vector>
@@ -39,7 +39,7 @@ namespace Polygon_mesh_processing {
  * The normals are always unit vectors. Where the faces have no area, or where the fit vanishes or turns away from the
  * reference, the normal is that of the reference near the vertex, and \f$ (0,0,1) \f$ if that has none either.
  *
- * The result does not depend on the number of threads.
+ * The computations are done in double precision. The result does not depend on the number of threads.
  *
  * \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
  *                        `Parallel_tag`, and `Parallel_if_available_tag`.
@@ -65,14 +65,6 @@ namespace Polygon_mesh_processing {
  *     \cgalParamType{a class model of `ReadablePropertyMap` with
  *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
  *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
- *   \cgalParamNEnd
- *
- *   \cgalParamNBegin{geom_traits}
- *     \cgalParamDescription{an instance of a geometric traits class}
- *     \cgalParamType{a class model of `Kernel`}
- *     \cgalParamDefault{a \cgal kernel deduced from the point type, using `CGAL::Kernel_traits`}
- *     \cgalParamExtra{The geometric traits class must be compatible with the vertex point type. The computations are
- *                     done in double precision with any kernel.}
  *   \cgalParamNEnd
  *
  *   \cgalParamNBegin{edge_is_constrained_map}
@@ -110,29 +102,20 @@ void optimize_vertex_normals(const TriangleMesh& tmesh,
 {
   using namespace internal::vertex_location;
 
-  const auto vpm = read_vertex_point_map(tmesh, np1);
-  const bool is_valid = is_valid_input(tmesh, vpm);
-  CGAL_precondition(is_valid);
-  if(!is_valid)
-    return;
-
+  Mesh_arrays mesh;
   Mesh_descriptors<TriangleMesh> descriptors;
-  const Mesh_arrays mesh = make_mesh_arrays(tmesh, vpm, descriptors);
+  if(!read_mesh(tmesh, read_vertex_point_map(tmesh, np1), mesh, descriptors))
+    return;
   const std::vector<char> is_crease = find_constrained_edges(mesh, descriptors, np1);
 
-  with_reference_surface<ConcurrencyTag>(reference, np2, [&](const auto& surface)
-  {
-    const bool has_reference = !is_empty_surface(surface) || mesh.points.empty();
-    CGAL_precondition(has_reference);
-    if(!has_reference)
-      return;
-
+  with_reference<ConcurrencyTag>(mesh, reference, np2, false, [&](const auto& surface) {
     const auto samples = sample_normals<ConcurrencyTag>(mesh, surface, is_crease);
     const auto corner_normals = fit_normals<ConcurrencyTag>(mesh, samples, is_crease);
     if constexpr(Is_corner_map<TriangleMesh, NormalMap>::value)
       write_corner_normals(tmesh, descriptors, corner_normals, normal_map);
     else
       write_vertex_normals(descriptors, choose_vertex_normals(mesh, samples, is_crease, corner_normals), normal_map);
+    return true;
   });
 }
 

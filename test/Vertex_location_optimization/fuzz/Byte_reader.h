@@ -14,11 +14,7 @@
 class Byte_reader
 {
 public:
-  Byte_reader(const std::uint8_t* data, std::size_t size)
-    : m_data(data)
-    , m_end(data + size)
-  {
-  }
+  Byte_reader(const std::uint8_t* data, std::size_t size) : m_data(data), m_end(data + size) {}
 
   bool is_empty() const { return m_data == m_end; }
   std::uint8_t byte() { return is_empty() ? 0 : *m_data++; }

@@ -103,12 +103,10 @@ Mesh read_mesh(Byte_reader& bytes, double scale)
   constexpr double amplitudes[] = { 0, 0.01, 0.1, 0.5, 3 };
   Soup soup = read_shape(bytes);
   if(const double amplitude = bytes.one_of(amplitudes); amplitude > 0)
-    soup = transformed(soup,
-                       [&](const Point& p)
-                       {
-                         const double x = bytes.coordinate(), y = bytes.coordinate();
-                         return p + amplitude * Vector(x, y, bytes.coordinate());
-                       });
+    soup = transformed(soup, [&](const Point& p) {
+      const double x = bytes.coordinate(), y = bytes.coordinate();
+      return p + amplitude * Vector(x, y, bytes.coordinate());
+    });
   spoil_points(bytes, soup.points);
   return make_mesh(transformed(soup, [&](const Point& p) { return CGAL::ORIGIN + scale * (p - CGAL::ORIGIN); }));
 }
@@ -127,8 +125,7 @@ Errors errors_at_samples(const Mesh& mesh, const Surface& surface)
 {
   Errors errors;
   double sum_of_areas = 0;
-  auto distance_at = [&](const Point& p)
-  {
+  auto distance_at = [&](const Point& p) {
     const double d = norm(surface.point(surface.project(p)) - p);
     errors.max = (std::max)(errors.max, d);
     return d;
@@ -139,8 +136,8 @@ Errors errors_at_samples(const Mesh& mesh, const Surface& surface)
     auto distance = [&](int a, int b, int c) { return distance_at(CGAL::barycenter(t[0], a, t[1], b, t[2], c)); };
     const double area = norm(area_vector(t));
     errors.mean +=
-        area * ((distance(1, 0, 0) + distance(0, 1, 0) + distance(0, 0, 1)) / 20 +
-                (distance(1, 1, 0) + distance(0, 1, 1) + distance(1, 0, 1)) * 2 / 15 + distance(1, 1, 1) * 9 / 20);
+      area * ((distance(1, 0, 0) + distance(0, 1, 0) + distance(0, 0, 1)) / 20 +
+              (distance(1, 1, 0) + distance(0, 1, 1) + distance(1, 0, 1)) * 2 / 15 + distance(1, 1, 1) * 9 / 20);
     sum_of_areas += area;
   }
   errors.mean = sum_of_areas > 0 ? errors.mean / sum_of_areas : 0;
@@ -179,11 +176,7 @@ void check_errors(const Mesh& remesh, const Mesh& mesh, const Surface& surface, 
 // Ends the run in some phase, refuses the moves of some vertices, and marks some edges and vertices.
 struct Choices
 {
-  explicit Choices(Byte_reader& bytes)
-    : bits(bytes.byte() | bytes.byte() << 8)
-    , number_of_phases(bytes.byte())
-  {
-  }
+  explicit Choices(Byte_reader& bytes) : bits(bytes.byte() | bytes.byte() << 8), number_of_phases(bytes.byte()) {}
 
   // of 1 in 4, or none or all
   bool of(std::size_t i, int shift) const
@@ -198,10 +191,7 @@ struct Choices
 
 struct Stopping_visitor : PMP::Vertex_location_optimization_default_visitor
 {
-  explicit Stopping_visitor(std::size_t n)
-    : phases_left(n == 0 ? 10000 : n)
-  {
-  }
+  explicit Stopping_visitor(std::size_t n) : phases_left(n == 0 ? 10000 : n) {}
   bool go_further() { return phases_left-- > 0; }
 
   std::size_t phases_left;
@@ -240,21 +230,20 @@ void test_optimization(Byte_reader& bytes, const Mesh& remesh, const Surface& su
   {
     report = PMP::optimize_vertex_locations(mesh, surface,
                                             parameters::number_of_free_iterations(number_of_free_iterations)
-                                                .convergence_threshold(threshold)
-                                                .placement_method(method)
-                                                .regularity_weight(weight)
-                                                .number_of_iterations(number_of_iterations)
-                                                .number_of_relaxation_steps(number_of_relaxation_steps)
-                                                .vertex_is_constrained_map(vertex_is_constrained)
-                                                .edge_is_constrained_map(edge_is_constrained)
-                                                .relax_constraints(relax_constraints)
-                                                .do_self_intersection_tests(do_self_intersection_tests)
-                                                .allow_move_functor(allow_move)
-                                                .visitor(std::ref(visitor)));
+                                              .convergence_threshold(threshold)
+                                              .placement_method(method)
+                                              .regularity_weight(weight)
+                                              .number_of_iterations(number_of_iterations)
+                                              .number_of_relaxation_steps(number_of_relaxation_steps)
+                                              .vertex_is_constrained_map(vertex_is_constrained)
+                                              .edge_is_constrained_map(edge_is_constrained)
+                                              .relax_constraints(relax_constraints)
+                                              .do_self_intersection_tests(do_self_intersection_tests)
+                                              .allow_move_functor(allow_move)
+                                              .visitor(std::ref(visitor)));
   }
   catch(const CGAL::Precondition_exception&)
-  {
-  }
+  {}
 
   check_connectivity(remesh, mesh);
   CHECK_AT_MOST(report.iterations, number_of_iterations);
@@ -273,8 +262,7 @@ void test_measures(Mesh mesh, const Surface& surface)
   try
   {
     PMP::optimize_vertex_normals(mesh, surface, normals);
-    const PMP::Approximation_error error =
-        PMP::approximation_error(mesh, surface, parameters::number_of_points_per_face(4));
+    const PMP::Approximation_error error = PMP::approximation_error(mesh, surface, parameters::number_of_points_per_face(4));
     CHECK(error.mean >= 0 && error.rms >= 0 && error.max >= 0);
     const double deviation = PMP::normal_deviation(mesh, surface, normals);
     CHECK(deviation >= 0 && deviation <= 180);
@@ -282,8 +270,7 @@ void test_measures(Mesh mesh, const Surface& surface)
       CHECK_NEAR(norm(normals[v]), 1, 1e-12);
   }
   catch(const CGAL::Precondition_exception&)
-  {
-  }
+  {}
 }
 
 template <typename Surface>
@@ -299,8 +286,7 @@ void test(Byte_reader& bytes, const Mesh& remesh, const Mesh& reference)
       test_measures(remesh, surface);
   }
   catch(const CGAL::Precondition_exception&)
-  {
-  } // of the surface
+  {} // of the surface
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)

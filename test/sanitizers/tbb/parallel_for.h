@@ -25,8 +25,8 @@ void parallel_for(const blocked_range<std::size_t>& range, const Body& body)
   const std::size_t step = range.size() / number_of_threads + 1;
   std::vector<std::thread> threads;
   for(std::size_t begin = range.begin(); begin < range.end(); begin += step)
-    threads.emplace_back([&body, begin, end = (std::min)(begin + step, range.end())]()
-                         { body(blocked_range<std::size_t>(begin, end)); });
+    threads.emplace_back(
+      [&body, begin, end = (std::min)(begin + step, range.end())]() { body(blocked_range<std::size_t>(begin, end)); });
   for(std::thread& thread : threads)
     thread.join();
 }

@@ -8,7 +8,7 @@
 
 #include <CGAL/Geometry_image/internal/parameterize_over_square.h>
 #include <CGAL/Geometry_image/internal/sample_parameterized_mesh.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Mesh_arrays.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/read_mesh.h>
 
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/Named_function_parameters.h>
@@ -25,17 +25,14 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace internal {
-namespace geometry_image {
+namespace CGAL::internal::geometry_image {
 
 // why a triangle mesh is no disk that can be parameterized, and what helps; empty if it is one
 inline std::string why_no_disk(const Double_mesh& mesh, std::size_t number_of_borders)
 {
   if(num_faces(mesh) == 0)
     return "the mesh has no faces";
-  const auto is_degenerate = [&](Double_mesh::Face_index f)
-  {
+  const auto is_degenerate = [&](Double_mesh::Face_index f) {
     return Polygon_mesh_processing::is_degenerate_triangle_face(f, mesh);
   };
   if(std::any_of(mesh.faces().begin(), mesh.faces().end(), is_degenerate))
@@ -45,7 +42,8 @@ inline std::string why_no_disk(const Double_mesh& mesh, std::size_t number_of_bo
     return "the mesh is closed: cut it open first, with Polygon_mesh_processing::clip(), or along a path by removing "
            "faces with Euler::remove_face()";
   if(number_of_borders > 1)
-    return "the mesh has " + std::to_string(number_of_borders) + " borders: fill all holes but one first, with "
+    return "the mesh has " + std::to_string(number_of_borders) +
+           " borders: fill all holes but one first, with "
            "Polygon_mesh_processing::triangulate_hole(), or take one component";
 
   Double_mesh copy = mesh;
@@ -62,15 +60,12 @@ inline Double_mesh::Halfedge_index find_first_corner(const Double_mesh& mesh, Do
 {
   using Polygon_mesh_processing::internal::vertex_location::angle_at;
 
-  auto angle_before = [&](Double_mesh::Halfedge_index h)
-  {
+  auto angle_before = [&](Double_mesh::Halfedge_index h) {
     return angle_at(mesh.point(mesh.source(h)), mesh.point(mesh.source(mesh.prev(h))), mesh.point(mesh.target(h)));
   };
   const auto border_halfedges = halfedges_around_face(border, mesh);
-  return *std::min_element(border_halfedges.begin(), border_halfedges.end(), [&](auto g, auto h)
-  {
-    return angle_before(g) < angle_before(h);
-  });
+  return *std::min_element(border_halfedges.begin(), border_halfedges.end(),
+                           [&](auto g, auto h) { return angle_before(g) < angle_before(h); });
 }
 
 // Makes the image; returns what keeps it from being made, which is nothing if it is.
@@ -111,8 +106,6 @@ std::string make_image_of_mesh(const TriangleMesh& tmesh, const VertexPointMap& 
   return "";
 }
 
-} // namespace geometry_image
-} // namespace internal
-} // namespace CGAL
+} // namespace CGAL::internal::geometry_image
 
 #endif // CGAL_GEOMETRY_IMAGE_INTERNAL_MAKE_IMAGE_OF_MESH_H

@@ -18,12 +18,11 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace internal {
-namespace geometry_image {
+namespace CGAL::internal::geometry_image {
 
 using Square_parameterizer = Surface_mesh_parameterization::Mean_value_coordinates_parameterizer_3<
-  Double_mesh, Surface_mesh_parameterization::Square_border_arc_length_parameterizer_3<Double_mesh>>;
+  Double_mesh,
+  Surface_mesh_parameterization::Square_border_arc_length_parameterizer_3<Double_mesh>>;
 
 // Mean value coordinates, in which each vertex attracts its neighbors with a strength of its own.
 class Weighted_square_parameterizer : public Square_parameterizer
@@ -83,8 +82,8 @@ Stretch measure_stretch(const Double_mesh& mesh, const UVMap& uvmap)
     }
   }
   for(Double_mesh::Vertex_index v : mesh.vertices())
-    stretch.around_vertices.push_back(
-      areas[v] > 0 ? std::sqrt(integrals[v] / areas[v] / (stretch.integral / total_area)) : 1);
+    stretch.around_vertices.push_back(areas[v] > 0 ? std::sqrt(integrals[v] / areas[v] / (stretch.integral / total_area))
+                                                   : 1);
   return stretch;
 }
 
@@ -127,8 +126,6 @@ parameterize_over_square(Double_mesh& mesh, Double_mesh::Halfedge_index border, 
   return SMP::OK;
 }
 
-} // namespace geometry_image
-} // namespace internal
-} // namespace CGAL
+} // namespace CGAL::internal::geometry_image
 
 #endif // CGAL_GEOMETRY_IMAGE_INTERNAL_PARAMETERIZE_OVER_SQUARE_H

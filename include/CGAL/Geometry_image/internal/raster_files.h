@@ -22,12 +22,14 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace internal {
-namespace geometry_image {
+namespace CGAL::internal::geometry_image {
 
 // The files that geometry images are stored in. Whatever is wrong with one is told by a std::runtime_error.
-enum class Raster_format { GIM, PFM };
+enum class Raster_format
+{
+  GIM,
+  PFM
+};
 
 struct Raster
 {
@@ -110,8 +112,8 @@ inline void reverse_rows(Raster& raster)
 inline Raster read_raster(std::istream& is, Raster_format format)
 {
   Raster raster;
-  const bool is_little_endian = format == Raster_format::GIM ? read_header_of_GIM(is, raster)
-                                                             : read_header_of_PFM(is, raster);
+  const bool is_little_endian =
+    format == Raster_format::GIM ? read_header_of_GIM(is, raster) : read_header_of_PFM(is, raster);
   check_size(raster);
   read_samples(is, is_little_endian, raster);
   if(format == Raster_format::PFM)
@@ -146,8 +148,6 @@ inline void write_raster(std::ostream& os, Raster_format format, Raster raster)
     throw std::runtime_error("it cannot be written");
 }
 
-} // namespace geometry_image
-} // namespace internal
-} // namespace CGAL
+} // namespace CGAL::internal::geometry_image
 
 #endif // CGAL_GEOMETRY_IMAGE_INTERNAL_RASTER_FILES_H

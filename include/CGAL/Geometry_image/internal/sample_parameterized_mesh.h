@@ -7,7 +7,7 @@
 #define CGAL_GEOMETRY_IMAGE_INTERNAL_SAMPLE_PARAMETERIZED_MESH_H
 
 #include <CGAL/Geometry_image/Geometry_image.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/geometry.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/geometry.h>
 
 #include <CGAL/Surface_mesh.h>
 
@@ -18,19 +18,16 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace internal {
-namespace geometry_image {
+namespace CGAL::internal::geometry_image {
 
 using Double_kernel = Polygon_mesh_processing::internal::vertex_location::Kernel;
 using Double_mesh = Surface_mesh<Double_kernel::Point_3>;
 
-// barycentric coordinates of p; not finite if the triangle has no area
+// barycentric coordinates of p; not finite if the triangle has no area, which CGAL's must have
 inline std::array<double, 3> barycentric_coordinates(const std::array<Double_kernel::Point_2, 3>& t,
                                                      const Double_kernel::Point_2& p)
 {
-  auto twice_area = [](const auto& a, const auto& b, const auto& c)
-  {
+  auto twice_area = [](const auto& a, const auto& b, const auto& c) {
     return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
   };
   const double area = twice_area(t[0], t[1], t[2]);
@@ -77,16 +74,14 @@ bool sample_parameterized_mesh(const Double_mesh& mesh, const UVMap& uvmap, Geom
         for(double& x : lambda)
           x = (std::max)(0., x);
         const double sum = lambda[0] + lambda[1] + lambda[2];
-        const Double_point p = points[0] + (lambda[1] / sum * (points[1] - points[0]) +
-                                            lambda[2] / sum * (points[2] - points[0]));
+        const Double_point p =
+          points[0] + (lambda[1] / sum * (points[1] - points[0]) + lambda[2] / sum * (points[2] - points[0]));
         image(i, j) = Polygon_mesh_processing::internal::vertex_location::convert<Point_3>(p);
       }
   }
   return std::count(smallest_coordinate.begin(), smallest_coordinate.end(), none) == 0;
 }
 
-} // namespace geometry_image
-} // namespace internal
-} // namespace CGAL
+} // namespace CGAL::internal::geometry_image
 
 #endif // CGAL_GEOMETRY_IMAGE_INTERNAL_SAMPLE_PARAMETERIZED_MESH_H

@@ -7,7 +7,7 @@
 #define CGAL_GEOMETRY_IMAGE_INTERNAL_TRIANGULATE_SAMPLES_H
 
 #include <CGAL/Geometry_image/Geometry_image.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/geometry.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/geometry.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_utils.h>
@@ -26,9 +26,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace internal {
-namespace geometry_image {
+namespace CGAL::internal::geometry_image {
 
 // Sample s is that in row s / width and column s % width. A triangle is one of samples or of vertices.
 using Triangle = std::array<std::size_t, 3>;
@@ -46,8 +44,7 @@ struct Triangulated_samples
 template <typename Point_3>
 bool has_finite_samples(const Geometry_image<Point_3>& image)
 {
-  return std::all_of(image.begin(), image.end(), [](const Point_3& p)
-  {
+  return std::all_of(image.begin(), image.end(), [](const Point_3& p) {
     namespace VLO = Polygon_mesh_processing::internal::vertex_location;
     return VLO::is_finite(VLO::convert<VLO::Point>(p));
   });
@@ -101,8 +98,8 @@ std::vector<Triangle> split_quads(const Geometry_image<Point_3>& image, const st
     {
       const std::size_t s = i * width + j;
       const std::array<std::size_t, 4> quad{ first[s], first[s + 1], first[s + width + 1], first[s + width] };
-      bool from_a_to_c = squared_distance(image(i, j), image(i + 1, j + 1)) <=
-                         squared_distance(image(i, j + 1), image(i + 1, j));
+      bool from_a_to_c =
+        squared_distance(image(i, j), image(i + 1, j + 1)) <= squared_distance(image(i, j + 1), image(i + 1, j));
 
       const bool is_border = i == 0 || j == 0 || i + 2 == height || j + 2 == width;
       if(is_border)
@@ -175,8 +172,7 @@ void add_to_mesh(const Triangulated_samples& samples,
   using Vertex_point_map = typename GetVertexPointMap<TriangleMesh, NamedParameters>::type;
   using Mesh_point = typename boost::property_traits<Vertex_point_map>::value_type;
 
-  const auto point_of_sample = [&](std::size_t s)
-  {
+  const auto point_of_sample = [&](std::size_t s) {
     return PMP::internal::vertex_location::convert<Mesh_point>(image(s / image.width(), s % image.width()));
   };
   PMP::polygon_soup_to_polygon_mesh(
@@ -184,8 +180,6 @@ void add_to_mesh(const Triangulated_samples& samples,
     parameters::point_map(boost::make_function_property_map<std::size_t, Mesh_point>(point_of_sample)), np);
 }
 
-} // namespace geometry_image
-} // namespace internal
-} // namespace CGAL
+} // namespace CGAL::internal::geometry_image
 
 #endif // CGAL_GEOMETRY_IMAGE_INTERNAL_TRIANGULATE_SAMPLES_H

@@ -1,0 +1,98 @@
+// Copyright (c) 2026 The Vertex_location_optimization authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_SHORTEN_MOVES_H
+#define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_SHORTEN_MOVES_H
+
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Remesh.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/for_each_index.h>
+
+#include <cstddef>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
+
+// Halves the move of a vertex from `origin`, to which it returns when it has been halved too often.
+inline void halve_move(const Point& origin, Point& next, unsigned char& number_of_halvings)
+{
+  constexpr unsigned char max_halvings = 6; // what is left then, 2% of the move, is not worth the time
+  next = ++number_of_halvings > max_halvings ? origin : midpoint(origin, next);
+}
+
+// Takes back the moves from `origins` to the next points that the user does not allow; returns whether there were any.
+template <typename AllowMove>
+bool refuse_moves(Remesh& remesh, const std::vector<Point>& origins, const AllowMove& allow_move)
+{
+  bool is_refused = false;
+  for(std::size_t i = 0; i < origins.size(); ++i)
+  {
+    Point& next = remesh.next_points[i];
+    if(next != origins[i] && !allow_move(i, origins[i], next))
+    {
+      next = origins[i];
+      is_refused = true;
+    }
+  }
+  return is_refused;
+}
+
+// The correction of section 3.3, for any criterion: as long as a face violates it, halves the move, from `origins` to the
+// next points, of the vertex with the largest C_i - n_i, where C_i is the number of such faces at the vertex and n_i how
+// often it was corrected; the smallest index first where these are equal. Marks the vertices whose moves it shortens.
+//
+// `criterion.is_violated_by(f)` says whether face f violates it, `criterion.update(i)` tells it that the next point of
+// vertex i has changed. A face whose vertices are all at their origins stays as it is.
+template <typename ConcurrencyTag, typename Criterion>
+void shorten_moves(Remesh& remesh, const std::vector<Point>& origins, Criterion& criterion, std::vector<bool>& is_corrected)
+{
+  const std::vector<Index> faces =
+    find_indices<ConcurrencyTag>(remesh.number_of_faces(), [&](std::size_t f) { return criterion.is_violated_by(f); });
+  if(faces.empty())
+    return;
+
+  std::vector<bool> is_violator(remesh.number_of_faces());
+  for(Index f : faces)
+    is_violator[f] = true;
+  std::vector<unsigned char> number_of_corrections(remesh.points.size(), 0);
+  std::set<std::pair<int, Index>> queue; // of pairs (n_i - C_i, i)
+  const auto number_of_violators = [&](Index i) {
+    int number = 0;
+    remesh.for_each_corner(i, [&](Index c) { number += is_violator[c / 3]; });
+    return number;
+  };
+  const auto enqueue = [&](Index i) {
+    const int number = number_of_violators(i);
+    if(number > 0 && remesh.next_points[i] != origins[i])
+      queue.emplace(number_of_corrections[i] - number, i);
+  };
+  const auto dequeue = [&](Index i) { queue.erase({ number_of_corrections[i] - number_of_violators(i), i }); };
+
+  for(Index f : faces)
+    for(Index i : remesh.face(f))
+      enqueue(i);
+
+  while(!queue.empty())
+  {
+    const Index i = queue.begin()->second;
+    std::set<Index> neighborhood; // the vertices whose keys change
+    remesh.for_each_corner(i, [&](Index c) { neighborhood.insert(remesh.face(c / 3).begin(), remesh.face(c / 3).end()); });
+    for(Index j : neighborhood)
+      dequeue(j);
+
+    is_corrected[i] = true;
+    halve_move(origins[i], remesh.next_points[i], number_of_corrections[i]);
+    criterion.update(i);
+    remesh.for_each_corner(i, [&](Index c) { is_violator[c / 3] = criterion.is_violated_by(c / 3); });
+
+    for(Index j : neighborhood)
+      enqueue(j);
+  }
+}
+
+} // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
+
+#endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_SHORTEN_MOVES_H

@@ -1,0 +1,109 @@
+// Copyright (c) 2026 The Vertex_location_optimization authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_MEASURE_NORMALS_H
+#define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_MEASURE_NORMALS_H
+
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Measure/sample_faces.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/corner_normals.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/with_reference_surface.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/read_mesh.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/read_parameters.h>
+
+#include <cmath>
+#include <vector>
+
+namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
+
+// The angle between the normals of a mesh and those of the reference, over a part of the mesh.
+struct Angle_integral
+{
+  double area = 0;
+  double angle = 0; // its integral, in radians
+
+  Angle_integral& operator+=(const Angle_integral& other)
+  {
+    area += other.area;
+    angle += other.angle;
+    return *this;
+  }
+};
+
+// The mean angle in degrees between the normals that `corner_normals`, three a face, interpolate and those of the
+// reference. A sample where one of the two has no direction does not count.
+template <typename ConcurrencyTag, typename Reference>
+double measure_corner_normals(const Mesh_arrays& mesh,
+                              const std::vector<Vector>& corner_normals,
+                              const Reference& reference,
+                              const std::size_t number_of_points)
+{
+  const auto vertex_feet = project_vertices<ConcurrencyTag>(mesh, reference);
+  const Angle_integral sum = sum_over_indices<ConcurrencyTag, Angle_integral>(mesh.number_of_faces(), [&](std::size_t f) {
+    const Vector& n = corner_normals[3 * f];
+    const Vector to_n1 = corner_normals[3 * f + 1] - n, to_n2 = corner_normals[3 * f + 2] - n;
+
+    std::size_t count = 0;
+    Angle_integral face;
+    const auto& hint = vertex_feet[mesh.first_vertex(f)];
+    project_samples(mesh.triangle(f), reference, number_of_points, hint,
+                    [&](const Coordinates& x, const auto&, const auto& foot) {
+                      ++count;
+                      const Vector here = normalized(n + x.u * to_n1 + x.v * to_n2);
+                      const Vector there = normalized(reference.normal(foot));
+                      if(here == NULL_VECTOR || there == NULL_VECTOR)
+                        return;
+                      face.angle += std::atan2(norm(cross_product(here, there)), here * there);
+                      face.area += 1;
+                    });
+
+    const double area_of_sample = norm(mesh.area_normal(f)) / (2. * count);
+    return Angle_integral{ area_of_sample * face.area, area_of_sample * face.angle };
+  });
+  if(sum.area == 0)
+    return 0;
+  const double mean = sum.angle / sum.area * 180 / CGAL_PI;
+  return std::isnan(mean) ? 180 : mean; // the areas overflow
+}
+
+template <typename ConcurrencyTag>
+std::vector<Vector> face_normals_at_corners(const Mesh_arrays& mesh)
+{
+  const std::vector<Vector> face_normals = compute_face_normals<ConcurrencyTag>(mesh);
+  std::vector<Vector> normals(3 * mesh.number_of_faces());
+  for_each_index<ConcurrencyTag>(normals.size(), [&](std::size_t c) { normals[c] = face_normals[c / 3]; });
+  return normals;
+}
+
+// What `normal_deviation()` does, with the normals `make_corner_normals(mesh, descriptors)`.
+template <typename ConcurrencyTag,
+          typename TriangleMesh,
+          typename Reference,
+          typename NamedParameters1,
+          typename NamedParameters2,
+          typename MakeCornerNormals>
+double measure_normals(const TriangleMesh& tmesh,
+                       const Reference& reference,
+                       const NamedParameters1& np1,
+                       const NamedParameters2& np2,
+                       const MakeCornerNormals& make_corner_normals)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+
+  Mesh_arrays mesh;
+  Mesh_descriptors<TriangleMesh> descriptors;
+  if(!read_mesh(tmesh, read_vertex_point_map(tmesh, np1), mesh, descriptors))
+    return 180;
+  const std::vector<Vector> corner_normals = make_corner_normals(mesh, descriptors);
+  const std::size_t number_of_points =
+    choose_parameter(get_parameter(np1, internal_np::number_of_points_per_face), default_number_of_points_per_face);
+  return with_reference<ConcurrencyTag>(mesh, reference, np2, 180., [&](const auto& surface) {
+    return measure_corner_normals<ConcurrencyTag>(mesh, corner_normals, surface, number_of_points);
+  });
+}
+
+} // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
+
+#endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_MEASURE_NORMALS_H

@@ -1,0 +1,197 @@
+// Copyright (c) 2026 The Vertex_location_optimization authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_LEAST_SQUARES_PLACEMENT_H
+#define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_LEAST_SQUARES_PLACEMENT_H
+
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Placement/for_each_sum_over_faces.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Placement/Normal_equations.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Placement/Placement.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Placement/pull_to_regular.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Sampling/Area_samples.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
+
+inline Optimization_options least_squares_defaults()
+{
+  constexpr double threshold = 7.5e-4; // where it ends the mean error is within 2% of that after twice as many iterations
+  return { LEAST_SQUARES, threshold, true };
+}
+
+// What the faces at a vertex say to it.
+struct Vertex_equations
+{
+  Normal_equations of_faces;
+  double area = 0; // of these faces
+  std::size_t number_of_faces = 0;
+
+  Vertex_equations& operator+=(const Vertex_equations& other)
+  {
+    of_faces += other.of_faces;
+    area += other.area;
+    number_of_faces += other.number_of_faces;
+    return *this;
+  }
+};
+
+// A point-to-plane least squares fit to samples of both surfaces, with the regularity of the triangles as a term of it.
+template <typename ConcurrencyTag, typename Reference>
+class Least_squares_placement : public Placement<Reference>
+{
+  using Base = Placement<Reference>;
+  using Base::m_reference;
+  using Base::m_remesh;
+  using Base::m_samples;
+
+public:
+  Least_squares_placement(const Reference& reference, Remesh& remesh, const Optimization_options& options)
+    : Base(reference, remesh, Sample_set::MIDPOINTS_AND_BARYCENTERS), m_regularity_weight(options.regularity_weight)
+  {}
+
+  // The smaller the error of M_0, the less of it is given for regularity. 6% of the edge length is a large one.
+  Initial_measure start() override
+  {
+    Initial_measure initial = m_samples.template start<ConcurrencyTag>(m_reference, m_remesh);
+    const double mean = mean_distance<ConcurrencyTag>(m_remesh, m_remesh.points, initial.distances);
+    constexpr double large_error = 0.06;
+    m_regularity_weight *= std::sqrt(mean / (large_error * m_remesh.mean_edge_length));
+    m_area_samples.template start<ConcurrencyTag>(m_reference, m_remesh);
+    return initial;
+  }
+
+  void resample(const Iteration& iteration) override
+  {
+    constexpr double all = -1; // no face's vertices have gone less far
+    if(iteration.is_last)
+    {
+      m_samples.template project<ConcurrencyTag>(m_reference, m_remesh);
+      m_area_samples.template update<ConcurrencyTag>(m_remesh, all);
+      return;
+    }
+    m_samples.template update<ConcurrencyTag>(m_reference, m_remesh, tolerance());
+    m_area_samples.template update<ConcurrencyTag>(m_remesh, tolerance().travel);
+  }
+
+  // Moves each free vertex towards the least squares fit of its faces to the samples of both surfaces, its neighbors held
+  // fixed. The equations of the vertices are solved independently of each other, hence the relaxation factor; part of the
+  // last displacement is repeated to get there sooner. A vertex whose samples fit stays.
+  void place(const Iteration&) override
+  {
+    // found by trial: they trade speed for settling; max_step is relative to the mean edge length
+    constexpr double relaxation = 1.4, momentum = 0.5, max_step = 0.25;
+    constexpr double rounding = 1e-9; // relative to the terms of the equations
+
+    const double limit = max_step * m_remesh.mean_edge_length;
+    for_each_sum_over_faces<ConcurrencyTag, Vertex_equations>(
+      m_remesh, [&](std::size_t f) { return face_equations(f); },
+      [&](std::size_t i, const Vertex_equations& of_vertex) {
+        const Point& v = m_remesh.points[i];
+        m_remesh.next_points[i] = v;
+        const double area = of_vertex.area;
+        if(!m_remesh.is_free(i) || !(area > 0))
+          return;
+
+        Normal_equations equations = of_vertex.of_faces;
+        equations += Normal_equations(m_samples.vertices.normal(i), m_samples.vertices.offset(i),
+                                      Cubic_quadrature::of_vertex(area), m_remesh.mean_edge_length);
+        if(norm(equations.right_hand_side()) <= rounding * area * m_remesh.mean_edge_length)
+          return;
+
+        const Vector d = equations.solve(pull(i, of_vertex), pull_weight(of_vertex), rounding * area);
+        const Vector step = relaxation * d + momentum * m_remesh.last_displacement(i);
+        const double length = norm(step);
+        m_remesh.next_points[i] = v + (length > limit ? (limit / length) * step : step);
+      });
+  }
+
+  void relax() override {} // the equations do it
+
+  // The vertices swing about the surface first, those whose moves are shortened always, and all slide on: what counts is
+  // the displacement along the normals, in two iterations.
+  double step_size() override
+  {
+    double sum = 0;
+    for(std::size_t i = 0; i < m_remesh.points.size(); ++i)
+      sum += square((m_remesh.next_points[i] - m_remesh.points[i]) * m_samples.vertices.normal(i));
+    const double last = m_displacement_along_normals;
+    m_displacement_along_normals = std::sqrt(sum / (std::max)(m_remesh.points.size(), std::size_t(1)));
+    return (std::max)(last, m_displacement_along_normals);
+  }
+
+private:
+  // As the vertices settle the samples follow them more closely.
+  Sampling_tolerance tolerance() const
+  {
+    // relative to the mean edge length, and to the displacements; they trade exactness for time
+    constexpr double min_travel = 0.02, max_travel = 0.1, max_distance = 0.05, travel_by_displacement = 10;
+    const double length = m_remesh.mean_edge_length, travel = travel_by_displacement * m_displacement_along_normals;
+    return { std::clamp(travel, min_travel * length, max_travel * length), max_distance * length, true };
+  }
+
+  // what the samples in face f, but for those at its vertices, say to each of its vertices
+  std::array<Vertex_equations, 3> face_equations(const std::size_t f) const
+  {
+    const std::array<Point, 3> t = m_remesh.triangle(f);
+    const double area = m_remesh.area(f), length = m_remesh.mean_edge_length;
+    std::array<Normal_equations, 3> equations;
+    for(int k = 0; k < 3; ++k)
+    {
+      const Index e = m_remesh.face_edges[f][k];
+      const Normal_equations of_midpoint(m_samples.midpoints.normal(e), m_samples.midpoints.offset(e),
+                                         Cubic_quadrature::of_midpoint(area), length);
+      equations[(k + 1) % 3].add(of_midpoint, 0.5);
+      equations[(k + 2) % 3].add(of_midpoint, 0.5);
+    }
+
+    const Normal_equations of_barycenter(m_samples.barycenters.normal(f), m_samples.barycenters.offset(f),
+                                         Cubic_quadrature::of_barycenter(area), length);
+    for(Normal_equations& of_corner : equations)
+      of_corner.add(of_barycenter, 1. / 3);
+
+    m_area_samples.for_each_in_face(f, [&](const Point& point, const Vector& normal, const Coordinates& x) {
+      const std::array<double, 3> lambda = x.barycentric();
+      const Vector offset = point - point_at(t, x);
+      // inside the face the reference's normal, on its boundary the direction to the sample
+      const Vector direction = is_inside(lambda) ? Vector(NULL_VECTOR) : normalized(offset);
+      const Normal_equations of_sample(direction != NULL_VECTOR ? direction : normal, offset, m_area_samples.area(), length);
+      for(int k = 0; k < 3; ++k)
+        equations[k].add(of_sample, lambda[k]);
+    });
+    return { { { equations[0], area, 1 }, { equations[1], area, 1 }, { equations[2], area, 1 } } };
+  }
+
+  // where the faces at vertex i would become more regular
+  Vector pull(const std::size_t i, const Vertex_equations& of_vertex) const
+  {
+    Vector sum = NULL_VECTOR;
+    const double mean_area = of_vertex.area / of_vertex.number_of_faces;
+    const double side = std::sqrt(mean_area * 4 / std::sqrt(3.)); // if the faces were equilateral
+    m_remesh.for_each_corner(i, [&](Index c) {
+      sum = sum + pull_to_regular(m_remesh.points[i], m_remesh.points[m_remesh.vertex(Mesh_arrays::next(c))],
+                                  m_remesh.points[m_remesh.vertex(Mesh_arrays::previous(c))], side);
+    });
+    return sum / of_vertex.number_of_faces;
+  }
+
+  // all faces weigh the same here, as in the mean of their angles
+  double pull_weight(const Vertex_equations& of_vertex) const
+  {
+    const double equilateral_area = std::sqrt(3.) / 4 * square(m_remesh.mean_edge_length);
+    return m_regularity_weight * of_vertex.number_of_faces * equilateral_area;
+  }
+
+  double m_regularity_weight; // from start() on relative to the error of M_0
+  Area_samples m_area_samples;
+  double m_displacement_along_normals = 0; // of the last iteration, root mean square
+};
+
+} // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
+
+#endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_LEAST_SQUARES_PLACEMENT_H

@@ -1,0 +1,115 @@
+// Copyright (c) 2026 The Vertex_location_optimization authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_PIECEWISE_LINEAR_PLACEMENT_H
+#define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_PIECEWISE_LINEAR_PLACEMENT_H
+
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Placement/for_each_sum_over_faces.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Placement/piecewise_linear_update.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Placement/Placement.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Placement/springs.h>
+
+#include <array>
+#include <cstddef>
+
+namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
+
+inline Optimization_options piecewise_linear_defaults() { return { PIECEWISE_LINEAR, 1e-6, false }; }
+
+// The sums of equation (2) over the faces of a vertex.
+struct Piecewise_linear_sums
+{
+  Vector update = NULL_VECTOR; // weighted by the areas
+  double area = 0;
+
+  Piecewise_linear_sums& operator+=(const Piecewise_linear_sums& other)
+  {
+    update = update + other.update;
+    area += other.area;
+    return *this;
+  }
+};
+
+// The paper's method, sections 3.2 and 3.3: the piecewise linear surface closest to the samples, as far as one vertex with
+// its faces can tell, with springs between the vertices.
+template <typename ConcurrencyTag, typename Reference>
+class Piecewise_linear_placement : public Placement<Reference>
+{
+  using Base = Placement<Reference>;
+  using Base::m_reference;
+  using Base::m_remesh;
+  using Base::m_samples;
+
+public:
+  Piecewise_linear_placement(const Reference& reference, Remesh& remesh, const Optimization_options& options)
+    : Base(reference, remesh, Sample_set::MIDPOINT_LOCATIONS), m_spring(remesh),
+      m_number_of_relaxation_steps(options.number_of_relaxation_steps)
+  {}
+
+  Initial_measure start() override { return m_samples.template start<ConcurrencyTag>(m_reference, m_remesh); }
+
+  void resample(const Iteration& iteration) override
+  {
+    if(iteration.is_last)
+      m_samples.template project<ConcurrencyTag>(m_reference, m_remesh);
+    else
+      m_samples.template update<ConcurrencyTag>(m_reference, m_remesh, tolerance(iteration));
+  }
+
+  // What is fitted, with the areas of the faces of M_t for weights, is the way from M_t to the samples: what is linear in
+  // each face, as M_t is, cancels out. After the free iterations only the part of the update along n_i is taken, measured
+  // from p_i. A vertex whose faces have no area stays.
+  void place(const Iteration& iteration) override
+  {
+    const auto sums_of_face = [&](std::size_t f) {
+      const std::array<Index, 3>&vertices = m_remesh.face(f), &edges = m_remesh.face_edges[f];
+      const auto p = [&](Index k) -> const Vector& { return m_samples.vertices.offset(vertices[k]); };
+      const auto m = [&](Index k) -> const Vector& { return m_samples.midpoints.offset(edges[k]); };
+      const double area = m_remesh.area(f);
+      std::array<Piecewise_linear_sums, 3> sums;
+      for(Index k = 0; k < 3; ++k)
+        sums[k] = { area * piecewise_linear_update(k, p, m), area };
+      return sums;
+    };
+
+    for_each_sum_over_faces<ConcurrencyTag, Piecewise_linear_sums>(
+      m_remesh, sums_of_face, [&](std::size_t i, const Piecewise_linear_sums& sums) {
+        m_remesh.next_points[i] = m_remesh.points[i];
+        if(!m_remesh.is_free(i) || !(sums.area > 0))
+          return;
+
+        Vector update = sums.update / sums.area; // (2)
+        const Vector& n = m_samples.vertices.normal(i);
+        if(!iteration.is_free)
+          update = (update * n) * n;
+        m_remesh.next_points[i] = m_remesh.points[i] + (m_samples.vertices.offset(i) + update);
+      });
+  }
+
+  void relax() override
+  {
+    relax_springs<ConcurrencyTag>(m_remesh, m_spring, m_number_of_relaxation_steps,
+                                  [&](std::size_t i) -> const Vector& { return m_samples.vertices.normal(i); });
+  }
+
+  double step_size() override { return m_remesh.largest_displacement(); }
+
+private:
+  // Along the normal a vertex moves over its foot: once all samples have been searched when that begins, they stay.
+  Sampling_tolerance tolerance(const Iteration& iteration) const
+  {
+    constexpr double max_travel = 0.04,
+                     max_distance = 0.05; // relative to the mean edge length; they trade exactness for time
+    const double length = m_remesh.mean_edge_length;
+    return { iteration.is_first_along_normals ? 0 : max_travel * length, max_distance * length, iteration.is_free };
+  }
+
+  const Spring m_spring;
+  const std::size_t m_number_of_relaxation_steps;
+};
+
+} // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
+
+#endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_PIECEWISE_LINEAR_PLACEMENT_H

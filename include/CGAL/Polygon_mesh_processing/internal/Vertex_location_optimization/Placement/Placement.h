@@ -1,0 +1,76 @@
+// Copyright (c) 2026 The Vertex_location_optimization authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_PLACEMENT_H
+#define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_PLACEMENT_H
+
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Remesh.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Sampling/Remesh_samples.h>
+#include <CGAL/Polygon_mesh_processing/Placement_method.h>
+
+#include <cstddef>
+
+namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
+
+// The parameters of the user.
+struct Optimization_options
+{
+  Placement_method placement_method;
+  double convergence_threshold; // relative to the mean edge length
+  bool do_self_intersection_tests;
+  std::size_t number_of_iterations = 30;
+  std::size_t number_of_free_iterations = 20;
+  std::size_t number_of_relaxation_steps = 1;
+  double regularity_weight = 0.15; // of LEAST_SQUARES
+};
+
+// Where a run is.
+struct Iteration
+{
+  bool is_free;                // the vertices move freely, not only along the normals
+  bool is_first_along_normals; // the first one that is not free
+  bool is_last;                // its samples are exact
+};
+
+// How the vertices are placed: what a placement method does in the phases of an iteration, on the vertices that are free.
+// Each method has samples, tolerances and defaults of its own.
+template <typename Reference>
+class Placement
+{
+public:
+  Placement(const Reference& reference, Remesh& remesh, const Sample_set set)
+    : m_reference(reference), m_remesh(remesh), m_samples(remesh, set)
+  {}
+
+  virtual ~Placement() = default;
+  Placement(const Placement&) = delete;
+  Placement& operator=(const Placement&) = delete;
+
+  // takes the samples of the initial points, and measures these
+  virtual Initial_measure start() = 0;
+
+  // takes the samples of the points from those of the previous points
+  virtual void resample(const Iteration& iteration) = 0;
+
+  // sets the next points, also of vertices that are not free: these stay
+  virtual void place(const Iteration& iteration) = 0;
+
+  // moves the next points of a free iteration along the surface, as far as that is not done in `place()`
+  virtual void relax() = 0;
+
+  // how far the vertices move, as far as the end of the iterations depends on it; called once in each iteration
+  virtual double step_size() = 0;
+
+  Remesh_samples<Reference>& samples() { return m_samples; }
+
+protected:
+  const Reference& m_reference;
+  Remesh& m_remesh;
+  Remesh_samples<Reference> m_samples;
+};
+
+} // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
+
+#endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_PLACEMENT_H

@@ -1,0 +1,76 @@
+// Copyright (c) 2026 The Vertex_location_optimization authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_SPRINGS_H
+#define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_SPRINGS_H
+
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Remesh.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/for_each_index.h>
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
+
+// The force between two neighbors, equations (3) and (4).
+class Spring
+{
+public:
+  explicit Spring(const Remesh& remesh)
+  {
+    double area = 0;
+    for(std::size_t f = 0; f < remesh.number_of_faces(); ++f)
+      area += remesh.area(f);
+    const double sigma = 0.3 * std::sqrt(area / remesh.points.size()); // the paper's
+    m_two_sigma2 = 2 * sigma * sigma;
+  }
+
+  // a mesh without an area has no springs
+  bool has_force() const { return m_two_sigma2 > 0; }
+
+  // on the end of the spring, where `from_other_end` leads
+  Vector force(const Vector& from_other_end) const
+  {
+    return std::exp(-from_other_end.squared_length() / m_two_sigma2) * from_other_end;
+  }
+
+private:
+  double m_two_sigma2;
+};
+
+// Section 3.3: springs between neighbors keep the vertices apart. Their force is taken in the tangent plane, orthogonal to
+// `normal(i)`: along the normal it would only push the surface outwards. A vertex that the fit leaves where it is needs no
+// spring: planar parts stay as they are.
+template <typename ConcurrencyTag, typename Normal>
+void relax_springs(Remesh& remesh, const Spring& spring, const std::size_t number_of_steps, const Normal& normal)
+{
+  if(number_of_steps == 0 || !spring.has_force())
+    return;
+
+  std::vector<Point> relaxed(remesh.points.size());
+  for(std::size_t step = 0; step < number_of_steps; ++step)
+  {
+    for_each_index<ConcurrencyTag>(relaxed.size(), [&](std::size_t i) {
+      const Point& p = remesh.next_points[i];
+      relaxed[i] = p;
+      if(!remesh.is_free(i) || remesh.is_at_rest(i))
+        return;
+
+      Vector force = NULL_VECTOR;
+      remesh.for_each_corner(i, [&](Index c) {
+        // around an inner vertex each neighbor follows it in one face
+        force = force + spring.force(p - remesh.next_points[remesh.vertex(Mesh_arrays::next(c))]);
+      });
+      const Vector& n = normal(i);
+      relaxed[i] = p + (force - (force * n) * n);
+    });
+    remesh.next_points.swap(relaxed);
+  }
+}
+
+} // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
+
+#endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_SPRINGS_H

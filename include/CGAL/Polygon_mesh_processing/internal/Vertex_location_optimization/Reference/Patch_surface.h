@@ -1,0 +1,72 @@
+// Copyright (c) 2026 The Vertex_location_optimization authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_PATCH_SURFACE_H
+#define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_PATCH_SURFACE_H
+
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/make_reference_patches.h>
+
+#include <CGAL/assertions.h>
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/Default.h>
+#include <CGAL/Kernel_traits.h>
+
+#include <utility>
+
+namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
+
+// The kernel of the points of a mesh that has an internal vertex point map.
+template <typename TriangleMesh>
+struct Kernel_of
+{
+  using Vertex_point_map = typename boost::property_map<TriangleMesh, vertex_point_t>::const_type;
+  using type = typename Kernel_traits<typename boost::property_traits<Vertex_point_map>::value_type>::Kernel;
+};
+
+template <typename TriangleMesh, typename GeomTraits>
+using Geom_traits_or_kernel_of = typename Default::Lazy_get<GeomTraits, Kernel_of<TriangleMesh>>::type;
+
+// What the two models of `ReferenceSurface` have in common: their patches, for the points of any kernel.
+template <typename Patch, typename GeomTraits>
+class Patch_surface
+{
+public:
+  using Geom_traits = GeomTraits;
+  using Point_3 = typename Geom_traits::Point_3;
+  using Vector_3 = typename Geom_traits::Vector_3;
+  using Foot = Patch_foot;
+
+  bool is_empty() const { return m_patches.is_empty(); }
+
+  Foot project(const Point_3& query) const { return project(query, Foot()); }
+
+  Foot project(const Point_3& query, const Foot& hint) const
+  {
+    CGAL_precondition(!is_empty());
+    return m_patches.project(convert<Point>(query), hint);
+  }
+
+  Point_3 point(const Foot& foot) const { return convert<Point_3>(m_patches.point(foot)); }
+  Vector_3 normal(const Foot& foot) const { return convert<Vector_3>(m_patches.normal(foot)); }
+
+  // for the phases, which work in double precision; not part of the concept
+  const Reference_patches<Patch>& patches() const { return m_patches; }
+
+protected:
+  explicit Patch_surface(Reference_patches<Patch> patches) : m_patches(std::move(patches)) {}
+
+  template <typename ConcurrencyTag, typename TriangleMesh, typename NamedParameters>
+  static Reference_patches<Patch> make_patches(const TriangleMesh& tmesh, const NamedParameters& np)
+  {
+    return make_reference_patches<Patch, ConcurrencyTag>(tmesh, np);
+  }
+
+private:
+  Reference_patches<Patch> m_patches;
+};
+
+} // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
+
+#endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_PATCH_SURFACE_H

@@ -1,0 +1,100 @@
+// Copyright (c) 2026 The Vertex_location_optimization authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_REFERENCE_ACCESS_H
+#define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_REFERENCE_ACCESS_H
+
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/Feature_curves.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/geometry.h>
+#include <CGAL/Polygon_mesh_processing/Vertex_location_optimization_report.h>
+
+#include <array>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
+
+// What the phases need of a reference surface: a refinement of the concept `ReferenceSurface`, in double precision.
+//
+//   Foot, Hint                    a point of the surface, and what is kept of it to be the hint of a later search; a hint
+//                                 converts to a foot
+//   is_empty()                    whether there is nothing to project to
+//   project(q), project(q, hint)  the closest point
+//   project_locally(q, hint)      the closest point as far as walking from `hint` over neighbors leads closer. Much faster,
+//                                 and the same point unless another sheet of the surface is closer.
+//   prefetch(hint)                asks for what `project_locally(q, hint)` reads first, to be called some time before it
+//   point(foot), normal(foot)     a unit vector; the null vector where there is no normal
+//   feet_at(foot)                 all feet that are the same point: on an edge they have the normals of several faces
+//   area()                        0: the surface cannot be sampled
+//   for_each_area_sample(a, f)    calls f(foot) for points spread evenly over the surface, each of which stands for the
+//                                 area a
+//   summary<ConcurrencyTag>()     its kind, and how far it is from the faces of its mesh
+//   feature_curves()              its creases and borders, see `Feature_curves`
+//
+// `Reference_patches` is a model. For any other model of `ReferenceSurface` this class does what can be done with that
+// alone: it always searches everywhere, has one normal a point, is not sampled, and has no creases.
+template <typename Surface>
+class Reference_surface_adaptor
+{
+  using Surface_point = typename Surface::Point_3;
+
+public:
+  using Foot = typename Surface::Foot;
+  using Hint = Foot;
+
+  explicit Reference_surface_adaptor(const Surface& surface) : m_surface(surface) {}
+
+  bool is_empty() const { return false; }
+  Foot project(const Point& query) const { return m_surface.project(convert<Surface_point>(query)); }
+  Foot project(const Point& query, const Foot& hint) const { return m_surface.project(convert<Surface_point>(query), hint); }
+  Foot project_locally(const Point& query, const Foot& hint) const { return project(query, hint); }
+  void prefetch(const Foot&) const {}
+  Point point(const Foot& foot) const { return convert<Point>(m_surface.point(foot)); }
+  Vector normal(const Foot& foot) const { return convert<Vector>(m_surface.normal(foot)); }
+  std::array<Foot, 1> feet_at(const Foot& foot) const { return { { foot } }; }
+  double area() const { return 0; }
+  template <typename F>
+  void for_each_area_sample(double, const F&) const
+  {}
+  template <typename ConcurrencyTag>
+  Reference_surface_summary summary() const
+  {
+    return {};
+  }
+  const Feature_curves& feature_curves() const { return m_no_curves; }
+
+private:
+  const Surface& m_surface;
+  const Feature_curves m_no_curves;
+};
+
+// Whether a surface is one of this package, with `patches()`.
+template <typename Surface, typename = void>
+struct Is_patch_surface : std::false_type
+{};
+
+template <typename Surface>
+struct Is_patch_surface<Surface, std::void_t<decltype(std::declval<const Surface&>().patches())>> : std::true_type
+{};
+
+// `surface` as the phases see it
+template <typename Surface>
+decltype(auto) access_reference(const Surface& surface)
+{
+  if constexpr(Is_patch_surface<Surface>::value)
+    return surface.patches();
+  else
+    return Reference_surface_adaptor<Surface>(surface);
+}
+
+template <typename Reference>
+double distance_to_foot(const Point& p, const Reference& reference, const typename Reference::Foot& foot)
+{
+  return norm(p - reference.point(foot));
+}
+
+} // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
+
+#endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_REFERENCE_ACCESS_H

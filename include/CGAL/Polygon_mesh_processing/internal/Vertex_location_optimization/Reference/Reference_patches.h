@@ -1,0 +1,214 @@
+// Copyright (c) 2026 The Vertex_location_optimization authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_REFERENCE_PATCHES_H
+#define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_REFERENCE_PATCHES_H
+
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/Feature_curves.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/Patch_tree.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/for_each_index.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/prefetch.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/triangle_coordinates.h>
+#include <CGAL/Polygon_mesh_processing/Vertex_location_optimization_report.h>
+
+#include <boost/container/small_vector.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
+
+// A reference surface: a patch on each face of a mesh, and the curves of its creases and borders. A model of the concept
+// that `Reference_access.h` documents. The patches are surface patches: besides what `Patch_tree` asks of a patch they have
+//   - normal(x), a unit vector, or the null vector where the patch has none;
+//   - area(), an approximation;
+//   - flat_coordinates(q), those of the projection to the plane of the corners, which may be beyond the sides.
+template <typename Patch>
+class Reference_patches
+{
+public:
+  using Foot = Patch_foot;
+  using Hint = Patch_hint;
+
+  Reference_patches() = default;
+
+  // `neighbors[i][k]` is the corner on the other side of the side of patch i that is opposite to its corner k
+  Reference_patches(std::vector<Patch> patches,
+                    std::vector<std::array<Index, 3>> neighbors,
+                    Feature_curves curves,
+                    const Reference_surface_kind kind)
+    : m_tree(std::move(patches)), m_neighbors(std::move(neighbors)), m_curves(std::move(curves)), m_kind(kind)
+  {}
+
+  bool is_empty() const { return m_tree.empty(); }
+
+  Foot project(const Point& query) const { return m_tree.project(query); }
+
+  Foot project(const Point& query, const Foot& hint) const
+  {
+    return m_tree.project(query, hint.patch == no_index ? no_index : approach(query, hint.patch));
+  }
+
+  Foot project_locally(const Point& query, const Foot& hint) const
+  {
+    double distance2;
+    Foot foot = m_tree.project_to_patch(query, approach(query, hint.patch), distance2);
+    while(step_to_neighbor(query, foot, distance2))
+      ;
+    return foot;
+  }
+
+  void prefetch(const Foot& hint) const
+  {
+    vertex_location::prefetch(m_tree.patch(hint.patch));
+    vertex_location::prefetch(m_neighbors[hint.patch]);
+  }
+
+  Point point(const Foot& foot) const { return m_tree.patch(foot.patch).point(foot.coordinates); }
+  Vector normal(const Foot& foot) const { return m_tree.patch(foot.patch).normal(foot.coordinates); }
+
+  // several where the foot is on a side or in a corner of its patch
+  boost::container::small_vector<Foot, 8> feet_at(const Foot& foot) const
+  {
+    boost::container::small_vector<Foot, 8> feet{ foot };
+    for(std::size_t i = 0; i < feet.size(); ++i)
+      for(Index k = 0; k < 3; ++k)
+      {
+        const Foot other = foot_across(feet[i], k);
+        const auto is_other = [&](const Foot& f) { return f.patch == other.patch; };
+        if(other.patch != no_index && std::none_of(feet.begin(), feet.end(), is_other))
+          feet.push_back(other);
+      }
+    return feet;
+  }
+
+  double area() const
+  {
+    double sum = 0;
+    for(Index i = 0; i < m_neighbors.size(); ++i)
+      sum += m_tree.patch(i).area();
+    return sum;
+  }
+
+  template <typename ConcurrencyTag>
+  Reference_surface_summary summary() const
+  {
+    if(m_kind == Reference_surface_kind::FLAT)
+      return { m_kind, 0, 0 };
+    const auto deviation_of = [&](std::size_t i) { return Patch_deviation(m_tree.patch(static_cast<Index>(i))); };
+    const auto deviation = sum_over_indices<ConcurrencyTag, Patch_deviation>(m_neighbors.size(), deviation_of);
+    return { m_kind, deviation.area > 0 ? deviation.integral / deviation.area : 0, deviation.maximum };
+  }
+
+  // The patches are in an order in which neighbors follow each other: points at equal steps of the area are spread over
+  // the surface. Those in one patch follow the additive recurrence by powers of the plastic number, of low discrepancy.
+  template <typename F>
+  void for_each_area_sample(const double area, const F& f) const
+  {
+    constexpr double plastic_number = 1.3247179572447460; // the real root of x^3 = x + 1
+    constexpr double step_u = 1 / plastic_number, step_v = step_u / plastic_number;
+    double passed = 0;
+    std::size_t number = 0; // of the samples so far
+    for(Index i = 0; i < m_neighbors.size(); ++i)
+      for(passed += m_tree.patch(i).area(); (number + 0.5) * area < passed; ++number)
+      {
+        double integer_part;
+        double u = std::modf(0.5 + step_u * number, &integer_part);
+        double v = std::modf(0.5 + step_v * number, &integer_part);
+        if(u + v > 1)
+        {
+          u = 1 - u;
+          v = 1 - v;
+        }
+        f(Foot{ i, { u, v } });
+      }
+  }
+
+  const Feature_curves& feature_curves() const { return m_curves; }
+
+private:
+  // How far a patch, or several, are from the flat triangles, at the midpoints of the sides and at the barycenters.
+  struct Patch_deviation
+  {
+    Patch_deviation() = default;
+    explicit Patch_deviation(const Patch& patch) : area(patch.area())
+    {
+      const Point p = patch.point({ 0, 0 });
+      const Vector n = normalized(area_normal(p, patch.point({ 1, 0 }), patch.point({ 0, 1 })));
+      const auto at = [&](double u, double v) { return std::abs((patch.point({ u, v }) - p) * n); };
+      const std::array<double, 3> at_midpoints{ { at(0.5, 0), at(0, 0.5), at(0.5, 0.5) } };
+      integral = area * (at_midpoints[0] + at_midpoints[1] + at_midpoints[2]) / 3;
+      maximum = (std::max)({ at_midpoints[0], at_midpoints[1], at_midpoints[2], at(1. / 3, 1. / 3) });
+    }
+
+    Patch_deviation& operator+=(const Patch_deviation& other)
+    {
+      area += other.area;
+      integral += other.integral;
+      maximum = (std::max)(maximum, other.maximum);
+      return *this;
+    }
+
+    double area = 0, integral = 0, maximum = 0;
+  };
+
+  // The patch to which going from `patch` straight to `query` leads, as if the patches were flat.
+  Index approach(const Point& query, Index patch) const
+  {
+    constexpr int max_steps = 16; // a hint that is farther away is a poor one, and the steps would cost more than they save
+    for(int step = 0; step < max_steps; ++step)
+    {
+      const std::array<double, 3> lambda = m_tree.patch(patch).flat_coordinates(query).barycentric();
+      const auto k = std::min_element(lambda.begin(), lambda.end()) - lambda.begin();
+      if(!(lambda[k] < 0) || m_neighbors[patch][k] == no_index)
+        break;
+      patch = m_neighbors[patch][k] / 3;
+    }
+    return patch;
+  }
+
+  // The same point in the neighbor across side k; in none if the foot is not on that side or there is no neighbor.
+  Foot foot_across(const Foot& foot, const Index k) const
+  {
+    const std::array<double, 3> lambda = foot.coordinates.barycentric();
+    const Index corner = m_neighbors[foot.patch][k];
+    if(lambda[k] > boundary_tolerance || corner == no_index)
+      return {};
+    // the common side runs the other way in the neighbor
+    std::array<double, 3> mu;
+    mu[corner % 3] = 0;
+    mu[(corner + 1) % 3] = lambda[(k + 2) % 3];
+    mu[(corner + 2) % 3] = lambda[(k + 1) % 3];
+    return { corner / 3, { mu[1], mu[2] } };
+  }
+
+  bool step_to_neighbor(const Point& query, Foot& foot, double& squared_distance) const
+  {
+    for(Index k = 0; k < 3; ++k)
+    {
+      Foot neighbor = foot_across(foot, k);
+      if(neighbor.patch != no_index &&
+         m_tree.patch(neighbor.patch).improve_foot_from(query, neighbor.coordinates, squared_distance))
+      {
+        foot = neighbor;
+        return true;
+      }
+    }
+    return false;
+  }
+
+  Patch_tree<Patch> m_tree;
+  std::vector<std::array<Index, 3>> m_neighbors;
+  Feature_curves m_curves;
+  Reference_surface_kind m_kind = Reference_surface_kind::OTHER;
+};
+
+} // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
+
+#endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_REFERENCE_PATCHES_H

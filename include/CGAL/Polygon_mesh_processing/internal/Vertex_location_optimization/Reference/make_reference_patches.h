@@ -1,0 +1,165 @@
+// Copyright (c) 2026 The Vertex_location_optimization authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_MAKE_REFERENCE_PATCHES_H
+#define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_MAKE_REFERENCE_PATCHES_H
+
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/boundary_curves.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/corner_normals.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/Flat_triangle.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/PN_triangle.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/Reference_patches.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/named_parameters.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/read_mesh.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/read_parameters.h>
+
+#include <array>
+#include <cmath>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
+
+// The creases of a reference: the edges that the user constrains, and those that are sharp unless the user leaves it at
+// the constrained ones.
+template <typename ConcurrencyTag, typename TriangleMesh, typename NamedParameters>
+std::vector<char> find_creases(const Mesh_arrays& mesh,
+                               const Mesh_descriptors<TriangleMesh>& descriptors,
+                               const std::vector<Vector>& face_normals,
+                               const NamedParameters& np)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using parameters::is_default_parameter;
+
+  constexpr bool has_map = !is_default_parameter<NamedParameters, internal_np::edge_is_constrained_t>::value;
+  constexpr bool has_angle = !is_default_parameter<NamedParameters, internal_np::sharpness_angle_t>::value;
+
+  std::vector<char> is_crease(mesh.edges.size(), 0);
+  if constexpr(has_angle || !has_map)
+  {
+    const double angle = to_double(choose_parameter(get_parameter(np, internal_np::sharpness_angle), 40.));
+    is_crease = detect_creases<ConcurrencyTag>(mesh, face_normals, std::cos(angle * CGAL_PI / 180));
+  }
+  if constexpr(has_map)
+  {
+    const auto is_constrained = get_parameter(np, internal_np::edge_is_constrained);
+    for(std::size_t e = 0; e < mesh.edges.size(); ++e)
+      if(get(is_constrained, descriptors.edges[e]))
+        is_crease[e] = 1;
+  }
+  return is_crease;
+}
+
+// one flat triangle a face
+template <typename ConcurrencyTag>
+void make_patches(const Mesh_arrays& mesh,
+                  const std::vector<Vector>& /* face_normals */,
+                  const std::vector<char>& /* is_crease */,
+                  std::vector<Flat_triangle>& patches)
+{
+  patches.resize(mesh.number_of_faces());
+  for_each_index<ConcurrencyTag>(patches.size(), [&](std::size_t f) { patches[f] = Flat_triangle(mesh.triangle(f)); });
+}
+
+// one curved PN triangle a face
+template <typename ConcurrencyTag>
+void make_patches(const Mesh_arrays& mesh,
+                  const std::vector<Vector>& face_normals,
+                  const std::vector<char>& is_crease,
+                  std::vector<PN_triangle>& patches)
+{
+  const Facets facets = find_facets(mesh, face_normals, is_crease);
+  const Sector_graph graph(mesh, is_crease, facets);
+  const std::vector<Vector> sector_normals =
+    compute_sector_normals<ConcurrencyTag>(mesh, face_normals, is_crease, facets, graph);
+  const Patch_boundaries boundaries =
+    compute_patch_boundaries<ConcurrencyTag>(mesh, face_normals, facets, graph, sector_normals);
+
+  patches.resize(mesh.number_of_faces());
+  for_each_index<ConcurrencyTag>(patches.size(), [&](std::size_t f) {
+    const std::array<Index, 3> vertices = mesh.face(f);
+    std::array<PN_triangle::Corner, 3> corners;
+    for(Index k = 0; k < 3; ++k)
+    {
+      PN_triangle::Corner& corner = corners[k];
+      corner.point = mesh.points[vertices[k]];
+      corner.normal = boundaries.normals[3 * f + k];
+      for(Index side = 0; side < 2; ++side) // to the next corner, and to the previous one
+      {
+        const Index e = mesh.face_edges[f][(k + 2 - side) % 3];
+        corner.offsets[side] = boundaries.curves[e].offsets[mesh.edges[e][0] == vertices[k] ? 0 : 1];
+      }
+    }
+    patches[f] = PN_triangle(corners);
+  });
+}
+
+// Whether the normals of a mesh can tell a smooth surface: not if creases make more than a third of the length of its edges.
+inline bool is_recognizably_smooth(const Mesh_arrays& mesh, const std::vector<char>& is_crease)
+{
+  constexpr double largest_part = 1. / 3;
+  double length = 0, length_of_creases = 0;
+  for(std::size_t e = 0; e < mesh.edges.size(); ++e)
+    if(!mesh.is_border(e))
+    {
+      const double d = std::sqrt(squared_distance(mesh.points[mesh.edges[e][0]], mesh.points[mesh.edges[e][1]]));
+      length += d;
+      length_of_creases += is_crease[e] ? d : 0;
+    }
+  return length_of_creases <= largest_part * length;
+}
+
+// The reference surface of `tmesh`; an empty one if `tmesh` is unsuitable. If `flat_unless_smooth`, the patches of a mesh
+// that is not recognizably smooth are flat.
+template <typename Patch, typename ConcurrencyTag, typename TriangleMesh, typename NamedParameters>
+Reference_patches<Patch>
+make_reference_patches(const TriangleMesh& tmesh, const NamedParameters& np, const bool flat_unless_smooth = false)
+{
+  const auto vpm = read_vertex_point_map(tmesh, np);
+  Mesh_arrays mesh;
+  Mesh_descriptors<TriangleMesh> descriptors;
+  if(!read_mesh(tmesh, vpm, mesh, descriptors))
+    return {};
+  const std::vector<Vector> face_normals = compute_face_normals<ConcurrencyTag>(mesh);
+  const std::vector<char> is_crease = find_creases<ConcurrencyTag>(mesh, descriptors, face_normals, np);
+
+  std::vector<Patch> patches;
+  const bool is_flat =
+    std::is_same<Patch, Flat_triangle>::value || (flat_unless_smooth && !is_recognizably_smooth(mesh, is_crease));
+  if(is_flat) // no normal goes beyond its face
+    make_patches<ConcurrencyTag>(mesh, face_normals, std::vector<char>(mesh.edges.size(), 1), patches);
+  else
+    make_patches<ConcurrencyTag>(mesh, face_normals, is_crease, patches);
+
+  auto is_feature = [&](Index e) { return mesh.edge_corners[e][0] != no_index && (is_crease[e] || mesh.is_border(e)); };
+  auto curve_piece = [&](Index e) {
+    // along the side opposite to the corner k of a face at the edge
+    const Index corner = mesh.edge_corners[e][0];
+    auto at = [&](double t) {
+      std::array<double, 3> lambda;
+      lambda[corner % 3] = 0;
+      lambda[(corner + 1) % 3] = 1 - t;
+      lambda[(corner + 2) % 3] = t;
+      return patches[corner / 3].point({ lambda[1], lambda[2] });
+    };
+    const Curve_piece piece(at(0), at(1. / 3), at(2. / 3), at(1));
+    return mesh.vertex(Mesh_arrays::next(corner)) == mesh.edges[e][0] ? piece : piece.reversed();
+  };
+  Feature_curves curves(mesh, is_feature, curve_piece);
+
+  std::vector<std::array<Index, 3>> neighbors(mesh.number_of_faces());
+  for_each_index<ConcurrencyTag>(mesh.number_of_faces(), [&](std::size_t f) {
+    for(Index k = 0; k < 3; ++k)
+      neighbors[f][k] = mesh.corner_across(static_cast<Index>(3 * f + k));
+  });
+  return { std::move(patches), std::move(neighbors), std::move(curves),
+           is_flat ? Reference_surface_kind::FLAT : Reference_surface_kind::PN };
+}
+
+} // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
+
+#endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_MAKE_REFERENCE_PATCHES_H

@@ -1,0 +1,66 @@
+// Copyright (c) 2026 The Vertex_location_optimization authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_WITH_REFERENCE_SURFACE_H
+#define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_WITH_REFERENCE_SURFACE_H
+
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/Reference_access.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/Mesh_arrays.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/Patch_surface.h>
+
+#include <CGAL/assertions.h>
+
+#include <type_traits>
+
+namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
+
+// A model of `ReferenceSurface` has a type `Foot`, a model of `FaceGraph` has none.
+template <typename Reference, typename = void>
+struct Is_reference_surface : std::false_type
+{};
+
+template <typename Reference>
+struct Is_reference_surface<Reference, std::void_t<typename Reference::Foot>> : std::true_type
+{};
+
+// The reference surface of a mesh where the user has not chosen one: PN triangles, flat ones if the mesh is not recognizably
+// smooth.
+class Default_reference_surface : public Patch_surface<PN_triangle, Kernel>
+{
+public:
+  template <typename TriangleMesh, typename NamedParameters, typename ConcurrencyTag>
+  Default_reference_surface(const TriangleMesh& tmesh, const NamedParameters& np, const ConcurrencyTag&)
+    : Patch_surface(make_reference_patches<PN_triangle, ConcurrencyTag>(tmesh, np, true))
+  {}
+};
+
+// Returns f(surface), where `surface` is `reference` itself if it is a model of `ReferenceSurface`, else the default reference
+// surface of the mesh `reference`.
+template <typename ConcurrencyTag, typename Reference, typename NamedParameters, typename F>
+auto with_reference_surface(const Reference& reference, const NamedParameters& np, const F& f)
+{
+  if constexpr(Is_reference_surface<Reference>::value)
+    return f(reference);
+  else
+    return f(Default_reference_surface(reference, np, ConcurrencyTag()));
+}
+
+// Returns f(access) with what `access_reference()` gives for `reference`, a mesh or a reference surface; `otherwise` if it
+// is empty, but `mesh` is not.
+template <typename ConcurrencyTag, typename Reference, typename NamedParameters, typename Result, typename F>
+Result with_reference(
+  const Mesh_arrays& mesh, const Reference& reference, const NamedParameters& np, const Result& otherwise, const F& f)
+{
+  return with_reference_surface<ConcurrencyTag>(reference, np, [&](const auto& surface) -> Result {
+    const auto& access = access_reference(surface);
+    const bool has_reference = !access.is_empty() || mesh.points.empty();
+    CGAL_precondition(has_reference);
+    return has_reference ? f(access) : otherwise;
+  });
+}
+
+} // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
+
+#endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_WITH_REFERENCE_SURFACE_H

@@ -1,0 +1,162 @@
+// Copyright (c) 2026 The Vertex_location_optimization authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_AREA_SAMPLES_H
+#define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_AREA_SAMPLES_H
+
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/Flat_triangle.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/Patch_tree.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Remesh.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/for_each_index.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
+
+// Moves `foot`, a point of a mesh by its face, to the point closest to `query` as far as walking from face to face leads
+// closer: from a foot on the boundary of its face to all faces around. `Reference_patches` walks across sides alone, from
+// patch to patch; here each step is cheap, and the faces fold more.
+inline void walk_to_closest_point(const Remesh& remesh, const Point& query, Patch_foot& foot)
+{
+  foot.coordinates = closest_on_triangle(remesh.triangle(foot.patch), query);
+  double distance = squared_distance(query, point_at(remesh.triangle(foot.patch), foot.coordinates));
+  for(bool is_closer = true; is_closer;)
+  {
+    is_closer = false;
+    const std::array<double, 3> lambda = foot.coordinates.barycentric();
+    if(is_inside(lambda))
+      return;
+    const std::array<Index, 3> face = remesh.face(foot.patch);
+    for(int k = 0; k < 3; ++k)
+      if(lambda[k] > boundary_tolerance)
+        remesh.for_each_corner(face[k], [&](Index c) {
+          const std::array<Point, 3> t = remesh.triangle(c / 3);
+          const Coordinates x = closest_on_triangle(t, query);
+          const double d = squared_distance(query, point_at(t, x));
+          if(d < distance)
+          {
+            distance = d;
+            foot = { c / 3, x };
+            is_closer = true;
+          }
+        });
+  }
+}
+
+// Points spread evenly over the reference, each with the closest point of the remesh, in the order of the faces that these
+// were in at first: most stay there. There are none if the reference cannot be sampled.
+class Area_samples
+{
+public:
+  // Takes the samples.
+  template <typename ConcurrencyTag, typename Reference>
+  void start(const Reference& reference, const Remesh& remesh)
+  {
+    constexpr std::size_t samples_per_face = 6; // of the remesh; they take most of the time and memory of the fit
+    const std::size_t number_of_faces = remesh.number_of_faces(), n = samples_per_face * number_of_faces;
+    m_area = reference.area() / n;
+    if(m_area > 0)
+    {
+      m_points.reserve(n);
+      m_normals.reserve(n);
+      reference.for_each_area_sample(m_area, [&](const auto& foot) {
+        m_points.push_back(reference.point(foot));
+        m_normals.push_back(reference.normal(foot));
+      });
+    }
+
+    const std::vector<Index> faces = find_closest_faces<ConcurrencyTag>(remesh);
+    m_samples_of_faces = Index_groups(number_of_faces, faces.size(), [&](Index i) { return faces[i]; });
+    const std::vector<Index> order = m_samples_of_faces.members();
+    permute(m_points, order);
+    permute(m_normals, order);
+    m_feet.resize(order.size());
+    for_each_index<ConcurrencyTag>(m_feet.size(), [&](std::size_t i) {
+      const Index face = faces[order[i]];
+      m_feet[i] = { face, closest_on_triangle(remesh.triangle(face), m_points[i]) };
+    });
+    m_travels.assign(number_of_faces, 0);
+    group_by_face(number_of_faces);
+  }
+
+  // Finds the closest points for `remesh.points` from the last ones, but keeps those on faces whose vertices have gone no
+  // farther than `tolerance` since.
+  template <typename ConcurrencyTag>
+  void update(const Remesh& remesh, const double tolerance)
+  {
+    for_each_index<ConcurrencyTag>(remesh.number_of_faces(), [&](std::size_t f) {
+      if(m_travels[f] > tolerance) // its samples were searched in the last iteration
+        m_travels[f] = 0;
+      const auto displacement = [&](int k) { return norm(remesh.last_displacement(remesh.face(f)[k])); };
+      m_travels[f] += (std::max)({ displacement(0), displacement(1), displacement(2) });
+    });
+    for_each_index<ConcurrencyTag>(m_points.size(), [&](std::size_t i) {
+      if(m_travels[m_feet[i].patch] > tolerance)
+        walk_to_closest_point(remesh, m_points[i], m_feet[i]);
+    });
+    group_by_face(remesh.number_of_faces());
+  }
+
+  double area() const { return m_area; } // of the reference, that each sample stands for
+
+  // calls f(point, normal, coordinates) for each sample whose closest point is in the face, with the coordinates there
+  template <typename F>
+  void for_each_in_face(std::size_t face, const F& f) const
+  {
+    m_samples_of_faces.for_each(face, [&](Index i) { f(m_points[i], m_normals[i], m_feet[i].coordinates); });
+  }
+
+private:
+  // Finds the faces of the remesh that are closest. Neighbors among the samples follow each other: the face of one is a
+  // hint for the next.
+  template <typename ConcurrencyTag>
+  std::vector<Index> find_closest_faces(const Remesh& remesh) const
+  {
+    std::vector<Index> closest(m_points.size());
+    if(closest.empty())
+      return closest;
+    std::vector<Flat_triangle> triangles(remesh.number_of_faces());
+    for(std::size_t f = 0; f < triangles.size(); ++f)
+      triangles[f] = Flat_triangle(remesh.triangle(f));
+    const Patch_tree<Flat_triangle> tree(std::move(triangles));
+    constexpr std::size_t block_size = 64;
+    for_each_block<ConcurrencyTag>(closest.size(), block_size, [&](std::size_t begin, std::size_t end) {
+      Index hint = no_index;
+      for(std::size_t i = begin; i < end; ++i)
+        closest[i] = hint = tree.project(m_points[i], hint).patch;
+    });
+    return closest;
+  }
+
+  void group_by_face(const std::size_t number_of_faces)
+  {
+    m_samples_of_faces = Index_groups(number_of_faces, m_feet.size(), [&](Index i) { return m_feet[i].patch; });
+  }
+
+  template <typename T>
+  static void permute(std::vector<T>& values, const std::vector<Index>& order)
+  {
+    std::vector<T> permuted;
+    permuted.reserve(order.size());
+    for(Index i : order)
+      permuted.push_back(values[i]);
+    values = std::move(permuted);
+  }
+
+  std::vector<Point> m_points;
+  std::vector<Vector> m_normals;
+  std::vector<Patch_foot> m_feet; // on the remesh: a patch is a face
+  double m_area = 0;
+  Index_groups m_samples_of_faces;
+  std::vector<double> m_travels; // how far the vertices of each face have gone since its samples were searched
+};
+
+} // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
+
+#endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_AREA_SAMPLES_H

@@ -1,0 +1,101 @@
+// Copyright (c) 2026 The Vertex_location_optimization authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_TRIANGLE_COORDINATES_H
+#define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_TRIANGLE_COORDINATES_H
+
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/geometry.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
+
+// Barycentric coordinates of a point of a triangle with respect to its corners 1 and 2; that of corner 0 is 1 - u - v.
+struct Coordinates
+{
+  std::array<double, 3> barycentric() const { return { 1 - u - v, u, v }; }
+
+  double u = 1. / 3.;
+  double v = 1. / 3.;
+};
+
+constexpr Coordinates barycenter_coordinates{}; // of the barycenter
+
+// Below this a barycentric coordinate is taken for 0: the point for one on that side. It is rounding that it allows for.
+constexpr double boundary_tolerance = 1e-12;
+
+inline bool is_inside(const std::array<double, 3>& barycentric)
+{
+  return *std::min_element(barycentric.begin(), barycentric.end()) > boundary_tolerance;
+}
+
+inline Point point_at(const std::array<Point, 3>& t, const Coordinates& x)
+{
+  return t[0] + (x.u * (t[1] - t[0]) + x.v * (t[2] - t[0]));
+}
+
+// Coordinate along [0, 1] of the point of the segment pq that is closest to x.
+inline double closest_on_segment(const Point& p, const Point& q, const Point& x)
+{
+  const Vector d = q - p;
+  const double length2 = d.squared_length();
+  return length2 > 0 ? (std::min)(1., (std::max)(0., ((x - p) * d) / length2)) : 0.;
+}
+
+// Coordinates of the projection of x to the plane of the triangle; not numbers if the triangle has no area.
+inline Coordinates project_to_plane(const std::array<Point, 3>& t, const Point& x)
+{
+  const Vector a = t[1] - t[0], b = t[2] - t[0], d = x - t[0];
+  const Vector n = cross_product(a, b);
+  const double n2 = n.squared_length();
+  if(!(n2 > 0))
+    return { std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN() };
+  return { (cross_product(d, b) * n) / n2, (cross_product(a, d) * n) / n2 };
+}
+
+// Coordinates of the point of the triangle that is closest to x; any triangle, also one without an area.
+inline Coordinates closest_on_triangle(const std::array<Point, 3>& t, const Point& x)
+{
+  const Coordinates projection = project_to_plane(t, x);
+  const auto [w, u, v] = projection.barycentric();
+  if(u >= 0 && v >= 0 && w >= 0)
+    return projection;
+
+  // the foot is on a side that x is beyond
+  Coordinates best;
+  double best_distance = (std::numeric_limits<double>::max)();
+  const auto try_side = [&](const Coordinates& foot) {
+    const double distance = squared_distance(point_at(t, foot), x);
+    if(distance < best_distance)
+    {
+      best_distance = distance;
+      best = foot;
+    }
+  };
+  if(!(v >= 0))
+    try_side({ closest_on_segment(t[0], t[1], x), 0 });
+  if(!(u >= 0))
+    try_side({ 0, closest_on_segment(t[0], t[2], x) });
+  if(!(w >= 0))
+  {
+    const double s = closest_on_segment(t[1], t[2], x);
+    try_side({ 1 - s, s });
+  }
+  return best;
+}
+
+// What is known of the foot of a point on a patch before it is computed.
+struct Foot_estimate
+{
+  Coordinates coordinates; // where to begin
+  double lower_bound;      // of the distance
+  double upper_bound;
+};
+
+} // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
+
+#endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_TRIANGLE_COORDINATES_H

@@ -1,0 +1,85 @@
+// Copyright (c) 2026 The Vertex_location_optimization authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_READ_OPTIMIZATION_PARAMETERS_H
+#define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_READ_OPTIMIZATION_PARAMETERS_H
+
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Placement/make_placement.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Remesh.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/named_parameters.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/read_parameters.h>
+
+#include <CGAL/number_utils.h>
+
+#include <vector>
+
+namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
+
+struct Allow_all_moves
+{
+  template <typename Vertex, typename Point>
+  bool operator()(const Vertex&, const Point&, const Point&) const
+  {
+    return true;
+  }
+};
+
+// The options among the parameters, else the defaults of the placement method.
+template <typename NamedParameters>
+Optimization_options read_options(const NamedParameters& np)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+
+  Optimization_options options =
+    default_options(choose_parameter(get_parameter(np, internal_np::placement_method), PIECEWISE_LINEAR));
+  options.number_of_iterations =
+    choose_parameter(get_parameter(np, internal_np::number_of_iterations), options.number_of_iterations);
+  options.number_of_free_iterations =
+    choose_parameter(get_parameter(np, internal_np::number_of_free_iterations), options.number_of_free_iterations);
+  options.number_of_relaxation_steps =
+    choose_parameter(get_parameter(np, internal_np::number_of_relaxation_steps), options.number_of_relaxation_steps);
+  options.convergence_threshold =
+    to_double(choose_parameter(get_parameter(np, internal_np::convergence_threshold), options.convergence_threshold));
+  options.do_self_intersection_tests =
+    choose_parameter(get_parameter(np, internal_np::do_self_intersection_tests), options.do_self_intersection_tests);
+  options.regularity_weight =
+    to_double(choose_parameter(get_parameter(np, internal_np::regularity_weight), options.regularity_weight));
+  return options;
+}
+
+// What the user's constraints and the border keep from moving freely. Constrained edges and the border hold their vertices
+// or, if `relax_constraints`, guide them.
+template <typename TriangleMesh, typename NamedParameters>
+Constraints
+read_constraints(const Mesh_arrays& mesh, const Mesh_descriptors<TriangleMesh>& descriptors, const NamedParameters& np)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+
+  const std::vector<char> is_constrained = find_constrained_edges(mesh, descriptors, np);
+  const auto vertex_is_constrained = choose_parameter(get_parameter(np, internal_np::vertex_is_constrained),
+                                                      Static_boolean_property_map<vertex_descriptor, false>());
+  const bool relax_constraints = choose_parameter(get_parameter(np, internal_np::relax_constraints), false);
+
+  Constraints constraints;
+  constraints.kinds.assign(mesh.points.size(), Vertex_kind::FREE);
+  for(Index e = 0; e < mesh.edges.size(); ++e)
+    if(mesh.is_border(e) || is_constrained[e])
+    {
+      constraints.edges.push_back(e);
+      for(Index i : mesh.edges[e])
+        constraints.kinds[i] = relax_constraints ? Vertex_kind::ON_CURVE : Vertex_kind::FIXED;
+    }
+  for(std::size_t i = 0; i < mesh.points.size(); ++i)
+    if(get(vertex_is_constrained, descriptors.vertices[i]))
+      constraints.kinds[i] = Vertex_kind::FIXED;
+  return constraints;
+}
+
+} // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
+
+#endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_READ_OPTIMIZATION_PARAMETERS_H

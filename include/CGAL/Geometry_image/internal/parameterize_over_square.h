@@ -90,7 +90,8 @@ Stretch measure_stretch(const Double_mesh& mesh, const UVMap& uvmap)
 // Maps a disk to the unit square, with the source of a border halfedge in a corner, such that a regular grid on the square
 // samples the surface evenly: as long as that lessens the stretch in all, vertices that the map is stretched around
 // attract their neighbors less. This is the method of Yoshizawa, Belyaev, and Seidel, "A fast and simple
-// stretch-minimizing mesh parameterization".
+// stretch-minimizing mesh parameterization". CGAL's Iterative_authalic_parameterizer_3 gets at most 3% less stretch on the
+// lion's head and on Nefertiti, in two to five times the time, and prints its progress on the standard output.
 template <typename UVMap>
 Surface_mesh_parameterization::Error_code
 parameterize_over_square(Double_mesh& mesh, Double_mesh::Halfedge_index border, UVMap uvmap)

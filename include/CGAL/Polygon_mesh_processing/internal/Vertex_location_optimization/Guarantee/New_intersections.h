@@ -54,6 +54,7 @@ public:
                                        parameters::vertex_point_map(vertex_point).geom_traits(Test_kernel()));
 
     std::vector<Face_pair> pairs;
+    pairs.reserve(faces.size());
     for(const auto& f : faces)
       pairs.push_back(std::minmax({ get(face_index, f.first), get(face_index, f.second) }));
     std::sort(pairs.begin(), pairs.end());

@@ -70,7 +70,7 @@ void test_defaults(const Input& input)
   CHECK(optimized(input.mesh, input.reference, least_squares) ==
         optimized(input.mesh, input.reference,
                   least_squares.regularity_weight(0.15).convergence_threshold(7.5e-4).do_self_intersection_tests(true)));
-  CHECK(optimized(input.mesh, input.reference, parameters::default_values(), parameters::sharpness_angle(45)) == expected);
+  CHECK(optimized(input.mesh, input.reference, parameters::default_values(), parameters::sharpness_angle(40)) == expected);
   CHECK(optimized(input.mesh, input.reference, parameters::default_values(),
                   parameters::vertex_point_map(input.reference.points()).geom_traits(Kernel())) == expected);
 }

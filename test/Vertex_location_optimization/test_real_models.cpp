@@ -8,13 +8,14 @@
 #include "check.h"
 #include "check_equivariance.h"
 #include "Distance_to_mesh.h"
-#include "Independent_PN_mesh.h"
 #include "mesh_quality.h"
 #include "remeshes.h"
+#include "tessellate_patches.h"
 #include "test_meshes.h"
 
 #include <CGAL/Polygon_mesh_processing/Flat_triangle_surface.h>
 #include <CGAL/Polygon_mesh_processing/optimize_vertex_locations.h>
+#include <CGAL/Polygon_mesh_processing/PN_triangle_surface.h>
 
 #include <string>
 #include <vector>
@@ -70,7 +71,8 @@ void test_data(const std::string& name, double length, const std::vector<Goal>& 
 {
   const Mesh input = read_model(name);
   double tolerance;
-  const Distance_to_mesh surface(Independent_PN_mesh(input, 45).tessellate(3, tolerance));
+  const Distance_to_mesh surface(
+    tessellate_patches(PMP::PN_triangle_surface<Mesh>(input), input.number_of_faces(), 3, tolerance));
   test_model(name, input, input, surface, length, goals);
 }
 

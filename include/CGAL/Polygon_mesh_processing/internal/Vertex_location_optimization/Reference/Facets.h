@@ -8,7 +8,7 @@
 
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/Mesh_arrays.h>
 
-#include <boost/pending/disjoint_sets.hpp>
+#include <CGAL/Union_find.h>
 
 #include <vector>
 
@@ -32,13 +32,17 @@ find_facets(const Mesh_arrays& mesh, const std::vector<Vector>& face_normals, co
   constexpr double coplanar = 1e-3;
 
   const Index n = static_cast<Index>(mesh.number_of_faces());
-  boost::disjoint_sets_with_storage<> sets(n);
+  Union_find<Index> sets;
+  std::vector<Union_find<Index>::handle> handles;
+  handles.reserve(n);
+  for(Index f = 0; f < n; ++f)
+    handles.push_back(sets.make_set(f));
   for(Index e = 0; e < mesh.edges.size(); ++e)
     if(!mesh.is_border(e) && !is_crease[e])
     {
       const Index f = mesh.edge_corners[e][0] / 3, g = mesh.edge_corners[e][1] / 3;
       if((face_normals[f] - face_normals[g]).squared_length() < square(coplanar) && face_normals[f] != NULL_VECTOR)
-        sets.union_set(f, g);
+        sets.unify_sets(handles[f], handles[g]);
     }
 
   Facets facets;
@@ -46,7 +50,7 @@ find_facets(const Mesh_arrays& mesh, const std::vector<Vector>& face_normals, co
   std::vector<Vector> sums(n, NULL_VECTOR);
   for(Index f = 0; f < n; ++f)
   {
-    facets.of_face[f] = static_cast<Index>(sets.find_set(f));
+    facets.of_face[f] = *sets.find(handles[f]);
     sums[facets.of_face[f]] = sums[facets.of_face[f]] + mesh.area_normal(f);
   }
 

@@ -24,8 +24,14 @@ struct Average_normal
   double largest_area;
 };
 
-// The weights are angle x area^2. A large facet beside small ones is likely a plane that a rounding or fillet runs into;
-// its normal is that of the surface there. Where facets are about the same size the weights hardly differ.
+// The weight of a facet in the average, beside its angle: 1, but for one that is much smaller than the largest. A large facet
+// beside small ones is likely a plane that a rounding or fillet runs into; its normal is that of the surface there.
+inline double facet_weight(const double area, const double largest_area)
+{
+  constexpr double small = 0.5; // less than the areas of irregular triangles differ; from there on the weights fall quickly
+  return area < small * largest_area ? square(square(area / (small * largest_area))) : 1;
+}
+
 template <typename ConcurrencyTag>
 std::vector<Average_normal> average_facet_normals(const Mesh_arrays& mesh,
                                                   const std::vector<Vector>& face_normals,
@@ -36,15 +42,14 @@ std::vector<Average_normal> average_facet_normals(const Mesh_arrays& mesh,
   const Sectors sectors(mesh, is_crease);
   std::vector<Average_normal> averages(graph.number_of_sectors());
   for_each_index<ConcurrencyTag>(averages.size(), [&](std::size_t s) {
-    double largest = 0; // the weights are relative to it, so that they do not overflow
+    double largest = 0;
     sectors.for_each_corner(graph.corner(static_cast<Index>(s)),
                             [&](Index c) { largest = (std::max)(largest, facets.area[c / 3]); });
     Vector sum = NULL_VECTOR;
     sectors.for_each_corner(graph.corner(static_cast<Index>(s)), [&](Index c) {
       const std::array<Point, 3> t = mesh.triangle(c / 3);
       const double angle = angle_at(t[c % 3], t[(c + 1) % 3], t[(c + 2) % 3]);
-      if(largest > 0)
-        sum = sum + angle * square(facets.area[c / 3] / largest) * face_normals[c / 3];
+      sum = sum + angle * facet_weight(facets.area[c / 3], largest) * face_normals[c / 3];
     });
     const Vector average = normalized(sum);
     double least_cosine = 1;

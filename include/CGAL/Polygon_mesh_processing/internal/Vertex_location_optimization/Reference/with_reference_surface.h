@@ -8,7 +8,7 @@
 
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/Reference_access.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/Mesh_arrays.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/Patch_surface.h>
+#include <CGAL/Polygon_mesh_processing/PN_triangle_surface.h>
 
 #include <CGAL/assertions.h>
 

@@ -105,7 +105,7 @@ bool read_settings(int argc, char* argv[], Settings& s)
     ("output,o", po::value(&s.output)->default_value(s.output), "what the names of the written files begin with")
     ("format", po::value(&s.format)->default_value(s.format), "format of the meshes: off, obj, ply, stl")
     ("largest-color", po::value(&s.largest_color),
-     "the error that is red, in the unit of the input; default: three times the mean error of the remesh");
+     "the error that is yellow, in the unit of the input; default: three times the mean error of the remesh");
   po::options_description hidden;
   hidden.add_options()("input", po::value(&s.input));
   po::positional_options_description positional;
@@ -321,8 +321,8 @@ void optimize(const Settings& s, const Mesh& input, Mesh& mesh, Crease_map is_cr
   write_colored_PLY(s.output + "optimized_error.ply", mesh, errors, largest_color);
   write_VTP(s.output + "remesh_error.vtp", remesh, "error", errors_before);
   write_VTP(s.output + "optimized_error.vtp", mesh, "error", errors);
-  std::printf("written: %sremesh*, %soptimized*; colors from 0 (blue) to %.3g (red)\n", s.output.c_str(),
-              s.output.c_str(), largest_color);
+  std::printf("written: %sremesh*, %soptimized*; colors from 0 (violet) to %.3g (yellow), %.3g/10000 of the longest side\n",
+              s.output.c_str(), s.output.c_str(), largest_color, largest_color / side * 1e4);
 }
 
 template <typename Concurrency>

@@ -98,7 +98,7 @@ need_data()
 
 need_CGAL_of()
 {
-  local suite=$1 directory=$cache/CGAL-$1 mirror keys=/usr/share/keyrings/debian-archive-keyring.gpg apt options
+  local suite=$1 directory=$cache/CGAL-$1 mirror keys=/usr/share/keyrings/debian-archive-keyring.gpg apt apt_options
   if [ ! -d "$directory" ]; then
     # the mirror that the system uses
     # shellcheck disable=SC1091,SC2016
@@ -108,11 +108,11 @@ need_CGAL_of()
     apt=$(mktemp -d)
     mkdir -p "$apt/lists/partial" "$apt/cache/archives/partial"
     echo "deb [signed-by=$keys] $mirror $suite main" > "$apt/sources.list"
-    options=(-o Dir::State="$apt" -o Dir::State::status=/var/lib/dpkg/status -o Dir::Cache="$apt/cache"
-             -o Dir::Etc::sourcelist="$apt/sources.list" -o Dir::Etc::sourceparts=/dev/null)
+    apt_options=(-o Dir::State="$apt" -o Dir::State::status=/var/lib/dpkg/status -o Dir::Cache="$apt/cache"
+                 -o Dir::Etc::sourcelist="$apt/sources.list" -o Dir::Etc::sourceparts=/dev/null)
     mkdir -p "$cache"
-    apt-get -q "${options[@]}" update > "$apt/log" 2>&1 < /dev/null &&
-      unpack "$directory" libcgal-dev "${options[@]}" > "$apt/log" 2>&1 < /dev/null
+    apt-get -q "${apt_options[@]}" update > "$apt/log" 2>&1 < /dev/null &&
+      unpack "$directory" libcgal-dev "${apt_options[@]}" > "$apt/log" 2>&1 < /dev/null
     rm -r "$apt"
   fi
   CGAL_DIR=$(dirname "$(find "$directory" -name CGALConfig.cmake 2> /dev/null | head -n 1)")

@@ -27,12 +27,12 @@ image_magick()
 
 render()
 {
-  local mesh=$1 picture=$2 value options=()
+  local mesh=$1 picture=$2 value variables=()
   shift 2
   for value in "$@"; do
-    options+=(-v "$value")
+    variables+=(-v "$value")
   done
-  LC_ALL=C awk -v colors="${viridis[*]}" "${options[@]}" -f "$root/examples/mesh_to_scene.awk" "$mesh" > "$picture.scene" &&
+  LC_ALL=C awk -v colors="${viridis[*]}" "${variables[@]}" -f "$root/examples/mesh_to_scene.awk" "$mesh" > "$picture.scene" &&
     tachyon "$picture.scene" -mediumshade -format PPM -o "$picture.ppm" > "$picture.log" &&
     image_magick "$picture.ppm" "$picture" &&
     rm "$picture.scene" "$picture.ppm" "$picture.log"
@@ -50,17 +50,19 @@ put_side_by_side()
   image_magick "${parts[@]}" -background white -gravity north +append "$picture"
 }
 
-# The scale has colors of its own, to be smooth. Its arrow says that larger values have the last color, too
+# The arrow says that larger values have the last color, too. The colors fit into a palette: 80 of the scale, 150 of the
+# picture unless the FORMAT has no palette, and some greys.
 put_scale_below()
 {
-  local picture=$1 largest=$2 unit=$3 format=${4:-PNG8} few=(+dither -colors 170) stops=("${viridis[@]/#/xc:rgb(}")
+  local picture=$1 largest=$2 unit=$3 format=${4:-PNG8} few=(+dither -colors 150) stops=("${viridis[@]/#/xc:rgb(}")
   [ "$format" = PNG8 ] || few=()
-  image_magick -size 1x1 "${stops[@]/%/)}" +append -filter triangle -resize '720x26!' -gravity center -crop 640x26+0+0 \
-    +repage -background white -gravity west -extent 668x26 -fill "rgb(${viridis[-1]})" -draw 'polygon 640,0 667,13 640,26' \
-    -gravity north -extent 1400x112 -splice 0x14 -fill black -font "$font" -pointsize 23 \
-    -annotate -334+46 0 -annotate +306+46 "$largest" -annotate +0+82 "$unit" "$picture.scale.png" &&
-    image_magick "(" "$picture" "${few[@]}" ")" "(" "$picture.scale.png" +dither -colors 84 ")" -append -strip "$format:$picture" &&
-    rm "$picture.scale.png"
+  image_magick -size 1x1 "${stops[@]/%/)}" +append -filter triangle -resize '90x1!' -gravity center -crop 80x1+0+0 +repage \
+    -scale '640x26!' -background white -gravity west -extent 668x26 +antialias -fill "rgb(${viridis[-1]})" \
+    -draw 'polygon 640,0 667,13 640,25' -gravity center -extent 1400x50 "$picture.scale.png" &&
+    image_magick -size 1400x76 xc:white -font "$font" -pointsize 23 -gravity north -annotate -334+0 0 \
+      -annotate +306+0 "$largest" -annotate +0+38 "$unit" -colors 12 "$picture.text.png" &&
+    image_magick "(" "$picture" "${few[@]}" ")" "$picture.scale.png" "$picture.text.png" -append -strip "$format:$picture" &&
+    rm "$picture.scale.png" "$picture.text.png"
 }
 
 # render_errors PREFIX NAME [NAME=VALUE...]: PREFIXNAME_error.vtp in the colors of which PREFIXlog.txt tells

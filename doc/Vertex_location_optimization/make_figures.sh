@@ -57,11 +57,11 @@ draw_pictures()
   draw_normals armadillo 2.7 azimuth=180
   "$examples/optimize_geometry_image_example" "$CGAL_DATA_DIR/meshes/lion-head.off" 4 "$work/image_" | tee "$work/image_log.txt"
   compare_images "$work/image_" "$figures/geometry_image.png" edges=1
-  image_magick "$figures/geometry_image.png" +dither -posterize 32 -strip "PNG24:$figures/geometry_image.png"
+  image_magick "$figures/geometry_image.png" -resize 1100x +dither -posterize 32 -strip "PNG24:$figures/geometry_image.png"
 
   # the package's picture in the overview of CGAL, without titles and scale
   put_side_by_side "$work/overview.png" "$work/bunny00_remesh.png" "" "$work/bunny00_optimized.png" ""
-  image_magick "$work/overview.png" -gravity north -chop 0x56 -resize 420x +dither -colors 64 -strip \
+  image_magick "$work/overview.png" +repage -gravity north -chop 0x56 -resize 420x +dither -colors 64 -strip \
     "PNG8:$figures/vertex_location_optimization.png"
 }
 

@@ -41,7 +41,7 @@ void write_file(const std::filesystem::path& path, const Write& write)
   }
 }
 
-// The color of a value between 0 and 1, from violet to yellow: viridis, which the color blind can read, too.
+// The color of a value between 0 and 1, from violet to yellow: viridis, which is readable with color blindness.
 inline CGAL::IO::Color color_of(double value)
 {
   using Rgb = std::array<double, 3>;

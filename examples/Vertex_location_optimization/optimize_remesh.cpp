@@ -321,7 +321,7 @@ void optimize(const Settings& s, const Mesh& input, Mesh& mesh, Crease_map is_cr
   write_colored_PLY(s.output + "optimized_error.ply", mesh, errors, largest_color);
   write_VTP(s.output + "remesh_error.vtp", remesh, "error", errors_before);
   write_VTP(s.output + "optimized_error.vtp", mesh, "error", errors);
-  std::printf("written: %sremesh*, %soptimized*; colors from 0 (violet) to %.3g (yellow), %.3g/10000 of the longest side\n",
+  std::printf("written: %sremesh*, %soptimized*\ncolors from 0 (violet) to %.3g (yellow), %.3g/10000 of the longest side\n",
               s.output.c_str(), s.output.c_str(), largest_color, largest_color / side * 1e4);
 }
 

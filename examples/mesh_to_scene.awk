@@ -99,9 +99,11 @@ function z_of(i) { return scale * (point[i, 2] - high[2]) }
 
 END {
   OFMT = CONVFMT = "%.7g"
-  scale = 1.98 / (high[1] - low[1])
-  aspect = (high[0] - low[0]) / (high[1] - low[1])
-  print "BEGIN_SCENE RESOLUTION", int(height * aspect), height
+  size = high[1] - low[1] # as high as the picture, which is at most four times as wide as high
+  if(size < (high[0] - low[0]) / 4) size = (high[0] - low[0]) / 4
+  if(!size) exit 1
+  scale = 1.98 / size
+  print "BEGIN_SCENE RESOLUTION", int(height * (high[0] - low[0]) / size) + 20, height
   print "CAMERA PROJECTION ORTHOGRAPHIC ZOOM 0.5 ASPECTRATIO 1 ANTIALIASING 4 RAYDEPTH 2"
   print "CENTER 0 0 1 VIEWDIR 0 0 -1 UPDIR 0 1 0 END_CAMERA BACKGROUND 1 1 1"
   print "DIRECTIONAL_LIGHT DIRECTION -0.4 -0.5 -1 COLOR 1 1 1"

@@ -16,7 +16,7 @@ BEGIN {
   if(!height) height = 1000
 }
 
-# the arrays that follow in a .vtp, a .ply's header, and what it is about
+# which array of a .vtp follows; the header of a .ply, and what comes after it
 /<DataArray|<PointData|<Points>|<Polys>/ {
   part = /Name="error"/ ? "scalars" : /NumberOfComponents="3"/ ? "points" : /"connectivity"/ ? "faces" : ""
   next

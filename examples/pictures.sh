@@ -1,95 +1,100 @@
-# Pictures of meshes, without a display; to be sourced.
+# shellcheck shell=bash disable=SC2034,SC2054,SC2154
+# Pictures of meshes, by the ray tracer Tachyon and ImageMagick; to be sourced after cmake/setup.sh.
 #
-#   render MESH PICTURE [OPTION...]                 a mesh
-#   render_error MESH PICTURE LARGEST [OPTION...]   a mesh with its errors as colors
-#   put_side_by_side PICTURE (PART TITLE)...        pictures in a row
-#   put_scale_below PICTURE LARGEST [FORMAT]        the scale of the colors
-#   compare_errors PREFIX PICTURE [OPTION...]       what optimize_remesh wrote, before and after
-#   compare_images PREFIX PICTURE [OPTION...]       what optimize_geometry_image_example wrote, before and after
+#   can_make_pictures                                     whether both are there
+#   render MESH PICTURE [NAME=VALUE...]                   a mesh, with variables of mesh_to_scene.awk
+#   put_side_by_side PICTURE (PART TITLE)...              pictures in a row
+#   put_scale_below PICTURE LARGEST UNIT [FORMAT]         the scale of the colors; PNG8, a small file, or PNG24
+#   compare_errors PREFIX PICTURE [NAME=VALUE...]         what optimize_remesh wrote, before and after
+#   compare_images PREFIX PICTURE [NAME=VALUE...]         what optimize_geometry_image_example wrote, before and after
 
-picture_packages=(f3d xvfb xauth imagemagick fonts-dejavu-core)
+picture_packages=(tachyon-bin-nox imagemagick fonts-dejavu-core)
 font=DejaVu-Sans
 
-# blue, green, yellow, orange, red, as the colors that optimize_remesh writes
-colormap=0,0,0,1,0.25,0,0.78,0,0.5,1,1,0,0.75,1,0.55,0,1,1,0,0
-colors=('#0000ff' '#00c800' '#ffff00' '#ff8c00' '#ff0000')
+# viridis, at regular distances, as the colors of mesh_output.h
+viridis=(68,1,84 71,44,122 59,81,139 44,113,142 33,144,141 39,173,129 92,200,99 170,220,50 253,231,37)
 
-# render MESH PICTURE [OPTION...]: the mesh on white, without the margins; the options are those of f3d
+can_make_pictures()
+{
+  command -v tachyon > /dev/null && { command -v magick || command -v convert; } > /dev/null
+}
+
+# ImageMagick 7, or 6
+image_magick()
+{
+  if command -v magick > /dev/null; then magick "$@"; else convert "$@"; fi
+}
+
 render()
 {
-  local mesh=$1 picture=$2
+  local mesh=$1 picture=$2 value variables=()
   shift 2
-  xvfb-run -a -s "-screen 0 1600x1600x24" \
-    f3d --dry-run --quiet "$mesh" --output "$picture" --bg-color=1,1,1 --resolution=1400,1400 --up=+Y \
-        --camera-view-angle=22 --roughness=1 --fxaa "$@"
-  convert "$picture" -trim +repage -resize x1000 "$picture"
+  for value in "$@"; do
+    variables+=(-v "$value")
+  done
+  LC_ALL=C awk -v colors="${viridis[*]}" "${variables[@]}" -f "$root/examples/mesh_to_scene.awk" "$mesh" > "$picture.scene" &&
+    tachyon "$picture.scene" -mediumshade -format PPM -o "$picture.ppm" > "$picture.log" &&
+    image_magick "$picture.ppm" "$picture" &&
+    rm "$picture.scene" "$picture.ppm" "$picture.log"
 }
 
-# render_error MESH PICTURE LARGEST [OPTION...]: the scalar "error" of a .vtp in colors, of which LARGEST is red
-render_error()
-{
-  local mesh=$1 picture=$2 largest=$3
-  shift 3
-  render "$mesh" "$picture" --scalars=error --comp=0 --range=0,"$largest" --colormap=$colormap "$@"
-  convert "$picture" -level 0%,75% "$picture"
-}
-
-# put_side_by_side PICTURE (PART TITLE)...
 put_side_by_side()
 {
-  local picture=$1 parts=()
+  local picture=$1 parts=() width=$((2800 / ($# - 1)))
   shift
   while [ $# -gt 0 ]; do
-    parts+=("(" "$1" -background white -gravity north -splice 0x70 -font "$font" -pointsize 32 -annotate +0+10 "$2"
-            -bordercolor white -border 30x10 ")")
+    parts+=("(" "$1" -resize "$((width - 24))x900" -background white -gravity north -extent "${width}x"
+            -splice 0x56 -font "$font" -pointsize 25 -annotate +0+12 "$2" ")")
     shift 2
   done
-  convert "${parts[@]}" +append -resize 1400x "$picture"
+  image_magick "${parts[@]}" -background white -gravity north +append "$picture"
 }
 
-# put_scale_below PICTURE LARGEST [FORMAT]: with few colors, for a small file, unless the FORMAT is PNG24
+# The arrow says that larger values have the last color, too. The colors fit into a palette: 80 of the scale, 150 of the
+# picture unless the FORMAT has no palette, and some greys.
 put_scale_below()
 {
-  local format=${3:-PNG8} few=(+dither -colors 160)
+  local picture=$1 largest=$2 unit=$3 format=${4:-PNG8} few=(+dither -colors 150) stops=("${viridis[@]/#/xc:rgb(}")
   [ "$format" = PNG8 ] || few=()
-  convert -size 1x1 "${colors[@]/#/xc:}" +append -filter triangle -resize '750x24!' -gravity center -crop 600x24+0+0 \
-    +repage -background white -gravity north -splice 0x10 -extent 1400x80 -font "$font" -pointsize 20 \
-    -gravity north -annotate -300+44 0 -annotate +300+44 "$2" -annotate +0+44 "distance to the input" "$1.scale.png"
-  # the scale keeps its own colors
-  convert \( "$1" "${few[@]}" \) \( "$1.scale.png" +dither -colors 96 \) -append -strip "$format:$1"
-  rm "$1.scale.png"
+  image_magick -size 1x1 "${stops[@]/%/)}" +append -filter triangle -resize '90x1!' -gravity center -crop 80x1+0+0 +repage \
+    -scale '640x26!' -background white -gravity west -extent 668x26 +antialias -fill "rgb(${viridis[-1]})" \
+    -draw 'polygon 640,0 667,13 640,25' -gravity center -extent 1400x50 "$picture.scale.png" &&
+    image_magick -size 1400x76 xc:white -font "$font" -pointsize 23 -gravity north -annotate -334+0 0 \
+      -annotate +306+0 "$largest" -annotate +0+38 "$unit" -colors 12 "$picture.text.png" &&
+    image_magick "(" "$picture" "${few[@]}" ")" "$picture.scale.png" "$picture.text.png" -append -strip "$format:$picture" &&
+    rm "$picture.scale.png" "$picture.text.png"
 }
 
-# largest_error PREFIX: the error that is red, from PREFIXlog.txt
-largest_error() { sed -n 's/.*colors from 0 (blue) to \(.*\) (red).*/\1/p' "$1log.txt"; }
+# render_errors PREFIX NAME [NAME=VALUE...]: PREFIXNAME_error.vtp in the colors of which PREFIXlog.txt tells
+render_errors()
+{
+  local prefix=$1 name=$2
+  shift 2
+  render "$prefix${name}_error.vtp" "$prefix$name.png" largest="$(scale_of "$prefix" 1)" "$@"
+}
 
-# compare_errors PREFIX PICTURE [OPTION...]: remesh and optimized mesh, which optimize_remesh wrote with `--output PREFIX`
-# and told about in PREFIXlog.txt
+# scale_of PREFIX WHICH: what is yellow, 1: in the unit of the coordinates, 2: in 1/10000 of the longest side
+scale_of() { sed -n "s/.*(violet) to \([^ ]*\) (yellow), \([^ ]*\)\/10000 .*/\\$2/p" "$1log.txt"; }
+
+scale_unit="distance to the input, in 1/10000 of the longest side of its bounding box"
+
 compare_errors()
 {
-  local prefix=$1 picture=$2 largest name
+  local prefix=$1 picture=$2
   shift 2
-  largest=$(largest_error "$prefix")
-  for name in remesh optimized; do
-    render_error "${prefix}${name}_error.vtp" "${prefix}${name}.png" "$largest" "$@"
-  done
-  put_side_by_side "$picture" "${prefix}remesh.png" "isotropic_remeshing()" \
-                   "${prefix}optimized.png" "and optimize_vertex_locations()"
-  put_scale_below "$picture" "$largest"
+  render_errors "$prefix" remesh "$@" && render_errors "$prefix" optimized "$@" &&
+    put_side_by_side "$picture" "${prefix}remesh.png" "isotropic_remeshing()" \
+      "${prefix}optimized.png" "and optimize_vertex_locations()" &&
+    put_scale_below "$picture" "$(scale_of "$prefix" 2)" "$scale_unit"
 }
 
-# compare_images PREFIX PICTURE [OPTION...]: the image as a picture, its surface and the optimized one, which
-# optimize_geometry_image_example wrote with PREFIX and told about in PREFIXlog.txt
 compare_images()
 {
-  local prefix=$1 picture=$2 largest name
+  local prefix=$1 picture=$2
   shift 2
-  largest=$(largest_error "$prefix")
-  for name in image optimized; do
-    render_error "${prefix}${name}_error.vtp" "${prefix}${name}.png" "$largest" "$@"
-  done
-  convert "${prefix}image.ppm" -filter point -resize 750x750 "${prefix}picture.png"
-  put_side_by_side "$picture" "${prefix}picture.png" "the image: x, y, z as red, green, blue" \
-                   "${prefix}image.png" "its surface" "${prefix}optimized.png" "after optimize_geometry_image()"
-  put_scale_below "$picture" "$largest" PNG24
+  image_magick "${prefix}image.ppm" -filter point -resize 900x900 "${prefix}picture.png" &&
+    render_errors "$prefix" image "$@" && render_errors "$prefix" optimized "$@" &&
+    put_side_by_side "$picture" "${prefix}picture.png" "image: x, y, z as colors" \
+      "${prefix}image.png" "its surface" "${prefix}optimized.png" "optimize_geometry_image()" &&
+    put_scale_below "$picture" "$(scale_of "$prefix" 2)" "$scale_unit" PNG24
 }

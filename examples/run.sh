@@ -1,44 +1,71 @@
 #!/usr/bin/env bash
 # Builds optimize_remesh, runs it on CGAL's armadillo, and makes a picture of the errors before and after:
 #
-#   bash examples/run.sh [MESH [EDGE_LENGTH]]
+#   bash examples/run.sh [MESH [EDGE_LENGTH]] [OPTION...]
 #
-# or does so with optimize_geometry_image_example and a geometry image, .gim or .pfm, or that of a mesh with one border, of
-# which each STEP-th row and column is kept:
+# EDGE_LENGTH is relative to the longest side of the bounding box. The options are those of optimize_remesh, such as
+# --least-squares; `optimize_remesh --help` lists them. Or does so with optimize_geometry_image_example and a geometry
+# image, .gim or .pfm, or that of a mesh with one border, of which each STEP-th row and column is kept:
 #
 #   bash examples/run.sh --image [IMAGE [STEP]]
 #
-# EDGE_LENGTH is relative to the longest side of the bounding box. Everything is written to examples/output/.
-# AZIMUTH in the environment turns the camera, in degrees.
-# With another CGAL than the system's:  CGAL_DIR=/path/to/CGAL bash examples/run.sh
+# Everything is written to examples/output/. In the environment:
+#   AZIMUTH         turns the camera, in degrees
+#   CGAL_DIR        another CGAL than the system's
+#   CGAL_DATA_DIR   where CGAL's demo data are, if they are there; else they are kept in ~/.cache
+#   JOBS            how many compilers run at once
 set -euo pipefail
+# shellcheck source-path=SCRIPTDIR source=../cmake/setup.sh
 source "$(dirname "${BASH_SOURCE[0]}")/../cmake/setup.sh"
+# shellcheck source-path=SCRIPTDIR source=pictures.sh
 source "$root/examples/pictures.sh"
 
-need_packages "${base_packages[@]}" "${picture_packages[@]}"
-need_data
-
-is_image=
-if [ "${1:-}" = --image ]; then
-  is_image=yes
+kind=remesh program=optimize_remesh default_mesh=armadillo setting=0.012 azimuth=180 prefix=
+case ${1:-} in
+-h | --help)
+  print_help "${BASH_SOURCE[0]}"
+  exit
+  ;;
+--image)
+  kind=image program=optimize_geometry_image_example default_mesh=lion-head setting=4 azimuth=0 prefix=image_
+  shift
+  ;;
+esac
+input=
+if [ $# -gt 0 ] && [[ $1 != -* ]]; then
+  input=$1
   shift
 fi
-input=$(realpath "${1:-$CGAL_DATA_DIR/meshes/$([ $is_image ] && echo lion-head || echo armadillo).off}")
-setting=${2:-$([ $is_image ] && echo 4 || echo 0.012)}
-cd "$root"
-output=examples/output
-programs=$build_dir/examples/Vertex_location_optimization
+if [ -n "$input" ] && [ $# -gt 0 ] && [[ $1 != -* ]]; then
+  setting=$1
+  shift
+fi
 
-configure
+need_packages "${base_packages[@]}" "${picture_packages[@]}" || have_packages "${base_packages[@]}"
+if [ -z "$input" ]; then
+  need_data
+  input=$CGAL_DATA_DIR/meshes/$default_mesh.off
+fi
+echo "Building $program"
+quietly configure
+quietly cmake --build "$build_dir" -j "$jobs" --target "$program"
+
+output=$(realpath --relative-to=. "$root/examples/output")
 mkdir -p "$output"
-if [ $is_image ]; then
-  cmake --build "$build_dir" -j "$jobs" --target optimize_geometry_image_example
-  "$programs/optimize_geometry_image_example" "$input" "$setting" "$output/image_" | tee "$output/image_log.txt"
-  compare_images "$output/image_" "$output/image_errors.png" --edges --camera-azimuth-angle="${AZIMUTH:-0}"
-  echo "picture: $output/image_errors.png"
+program=$build_dir/examples/Vertex_location_optimization/$program
+if [ $kind = image ]; then
+  "$program" "$input" "$setting" "$output/image_" | tee "$output/image_log.txt"
 else
-  cmake --build "$build_dir" -j "$jobs" --target optimize_remesh
-  "$programs/optimize_remesh" "$input" --edge-length "$setting" --output "$output/" | tee "$output/log.txt"
-  compare_errors "$output/" "$output/errors.png" --camera-azimuth-angle="${AZIMUTH:-180}"
-  echo "picture: $output/errors.png"
+  "$program" "$input" --edge-length "$setting" --output "$output/" "$@" | tee "$output/log.txt"
+fi
+
+picture=$output/${prefix}errors.png
+draw=compare_errors options=()
+[ $kind = image ] && draw=compare_images options=(edges=1)
+if ! can_make_pictures; then
+  echo "no picture: it takes Tachyon and ImageMagick"
+elif quietly "$draw" "$output/$prefix" "$picture" azimuth="${AZIMUTH:-$azimuth}" "${options[@]}"; then
+  echo "picture: $picture"
+else
+  echo "no picture: Tachyon or ImageMagick failed"
 fi

@@ -1,11 +1,49 @@
 #!/usr/bin/env bash
-# Builds and runs the tests:  bash test/run.sh
-# With another CGAL than the system's:  CGAL_DIR=/path/to/CGAL bash test/run.sh
+# Builds and runs the tests:
+#
+#   bash test/run.sh [--all] [--cgal-of SUITE] [TEST...]
+#
+# All of them, or those that are named and that each public header compiles. With --all it installs what is tested where
+# it is there, too: OpenMesh. With --cgal-of it takes the CGAL of another Debian, such as trixie, which is unpacked, not
+# installed, and says so where that cannot be had. In the environment:
+#   CGAL_DIR        another CGAL than the system's
+#   CGAL_DATA_DIR   where CGAL's demo data are, if they are there; else they are kept in ~/.cache
+#   JOBS            how many compilers run at once
 set -euo pipefail
+# shellcheck source-path=SCRIPTDIR source=../cmake/setup.sh
 source "$(dirname "${BASH_SOURCE[0]}")/../cmake/setup.sh"
+
+suite=
+while [[ ${1:-} = -* ]]; do
+  case $1 in
+  --all) base_packages+=(libopenmesh-dev) ;;
+  --cgal-of)
+    suite=${2:?which Debian?}
+    shift
+    ;;
+  -h | --help)
+    print_help "${BASH_SOURCE[0]}"
+    exit
+    ;;
+  *)
+    echo "error: $1 is unknown; see --help" >&2
+    exit 1
+    ;;
+  esac
+  shift
+done
 
 need_packages "${base_packages[@]}"
 need_data
+if [ -n "$suite" ] && ! need_CGAL_of "$suite"; then
+  echo "No tests with the CGAL of Debian's $suite: it cannot be had here."
+  exit
+fi
+
+targets=(tests)
+[ $# = 0 ] || targets=(headers_alone "${@/#/test_}")
+# shellcheck disable=SC2119
 configure
-cmake --build "$build_dir" -j "$jobs" --target tests
-ctest --test-dir "$build_dir" -j "$jobs" --output-on-failure
+cmake --build "$build_dir" -j "$jobs" --target "${targets[@]}"
+names=$(IFS='|' && echo "$*")
+ctest --test-dir "$build_dir" -j "$jobs" --output-on-failure --no-tests=error -R "^(${names:-.*})\$"

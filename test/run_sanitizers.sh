@@ -5,6 +5,7 @@
 # with ThreadSanitizer, and with sanitizers/tbb/parallel_for.h instead of TBB's. CGAL's checks are on. It takes several
 # times as long as test/run.sh.
 set -euo pipefail
+# shellcheck source-path=SCRIPTDIR source=../cmake/setup.sh
 source "$(dirname "${BASH_SOURCE[0]}")/../cmake/setup.sh"
 
 parallel_tests=(parallel)
@@ -13,7 +14,7 @@ no_warnings='-Wno-maybe-uninitialized -Wno-unknown-warning-option' # Clang does 
 # run_with FLAGS TEST... configures in a directory of the flags' own; without a test it runs all that are no project
 run_with()
 {
-  local flags=$1 names name targets=(tests)
+  local flags=$1 names targets=(tests)
   shift
   if [ $# -gt 0 ]; then
     targets=("${@/#/test_}")
@@ -29,7 +30,7 @@ run_with()
     -R "^(${names:-.*})\$" -E '^(install|consumer_.*|.*_does_not_compile)$'
 }
 
-need_packages "${base_packages[@]}"
+need_packages "${base_packages[@]}" libopenmesh-dev
 need_data
 export UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1
 export TSAN_OPTIONS=halt_on_error=1:suppressions=$root/test/sanitizers/thread_sanitizer.supp

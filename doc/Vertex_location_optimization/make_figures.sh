@@ -1,10 +1,14 @@
 #!/usr/bin/env bash
-# Makes the pictures in doc/Vertex_location_optimization/fig/ with the examples:
+# Makes the pictures in doc/Vertex_location_optimization/fig/ with the examples, and the plots with the benchmarks, which
+# takes half an hour:
 #
-#   bash doc/Vertex_location_optimization/make_figures.sh
+#   bash doc/Vertex_location_optimization/make_figures.sh [pictures|plots]
 set -euo pipefail
+# shellcheck source-path=SCRIPTDIR source=../../cmake/setup.sh
 source "$(dirname "${BASH_SOURCE[0]}")/../../cmake/setup.sh"
+# shellcheck source-path=SCRIPTDIR source=../../examples/pictures.sh
 source "$root/examples/pictures.sh"
+what=${1:-all}
 
 need_packages "${base_packages[@]}" "${picture_packages[@]}"
 need_data
@@ -14,12 +18,11 @@ examples=$build_dir/examples/Vertex_location_optimization
 work=$build_dir/figures
 mkdir -p "$figures" "$work"
 
+# shellcheck disable=SC2119
 configure
-cmake --build "$build_dir" -j "$jobs" --target optimize_remesh optimize_vertex_normals_example \
-  optimize_geometry_image_example quality performance
 
-# draw_errors MODEL "OPTIONS" [OPTION...]: the errors before and after; OPTIONS are those of optimize_remesh, the others
-# those of f3d
+# draw_errors MODEL "OPTIONS" [NAME=VALUE...]: the errors before and after; OPTIONS are those of optimize_remesh, the others
+# are variables of mesh_to_scene.awk
 draw_errors()
 {
   local model=$1 options=$2
@@ -30,38 +33,47 @@ draw_errors()
   compare_errors "$work/${model}_" "$figures/errors_$model.png" "$@"
 }
 
-# draw_normals MODEL EDGE_LENGTH [OPTION...]: a coarse remesh with its own and with optimized normals
+# draw_normals MODEL EDGE_LENGTH [NAME=VALUE...]: a coarse remesh with its own and with optimized normals
 draw_normals()
 {
   local model=$1 edge_length=$2 kind
   shift 2
   "$examples/optimize_vertex_normals_example" "$CGAL_DATA_DIR/meshes/$model.off" "$edge_length" "$work/${model}_"
   for kind in input face own optimized; do
-    render "$work/${model}_${kind}_normals.ply" "$work/$kind.png" --color=0.8,0.85,0.95 "$@"
-    convert "$work/$kind.png" -level 10%,62% "$work/$kind.png"
+    render "$work/${model}_${kind}_normals.ply" "$work/$kind.png" "$@"
   done
   put_side_by_side "$figures/normals_$model.png" "$work/face.png" "normals of the faces" \
     "$work/own.png" "own vertex normals" "$work/optimized.png" "optimized normals" "$work/input.png" "input"
-  convert "$figures/normals_$model.png" +dither -colors 128 "PNG8:$figures/normals_$model.png"
+  image_magick "$figures/normals_$model.png" +dither -colors 128 "PNG8:$figures/normals_$model.png"
 }
 
-draw_errors armadillo "--edge-length 0.012" --camera-azimuth-angle=180
-draw_errors refined_elephant "--edge-length 0.025" --camera-azimuth-angle=0
-draw_errors bunny00 "--edge-length 0.05" --edges
-draw_errors fandisk "--edge-length 0.04 --crease-angle 40 --relax-constraints --reference flat" --edges \
-  --camera-azimuth-angle=30 --camera-elevation-angle=20 --camera-view-angle=27
-draw_normals armadillo 2.7 --camera-azimuth-angle=180
-"$examples/optimize_geometry_image_example" "$CGAL_DATA_DIR/meshes/lion-head.off" 4 "$work/image_" | tee "$work/image_log.txt"
-compare_images "$work/image_" "$figures/geometry_image.png" --edges
-convert "$figures/geometry_image.png" -resize 1100x +dither -posterize 32 -strip "PNG24:$figures/geometry_image.png"
+draw_pictures()
+{
+  cmake --build "$build_dir" -j "$jobs" --target optimize_remesh optimize_vertex_normals_example optimize_geometry_image_example
+  draw_errors armadillo "--edge-length 0.012" azimuth=180
+  draw_errors refined_elephant "--edge-length 0.025"
+  draw_errors bunny00 "--edge-length 0.05" edges=1
+  draw_errors fandisk "--edge-length 0.04 --crease-angle 40 --relax-constraints --reference flat" edges=1 azimuth=30 elevation=20
+  draw_normals armadillo 2.7 azimuth=180
+  "$examples/optimize_geometry_image_example" "$CGAL_DATA_DIR/meshes/lion-head.off" 4 "$work/image_" | tee "$work/image_log.txt"
+  compare_images "$work/image_" "$figures/geometry_image.png" edges=1
+  image_magick "$figures/geometry_image.png" -resize 1100x +dither -posterize 32 -strip "PNG24:$figures/geometry_image.png"
 
-# the errors of remeshes with more and more vertices: the whole benchmark, which takes a quarter of an hour
-(cd "$work" && "$build_dir/benchmark/Vertex_location_optimization/quality")
-cp "$work/error_by_vertices_armadillo.svg" "$work/trade_off_armadillo.svg" "$figures"
+  # the package's picture in the overview of CGAL, without titles and scale
+  put_side_by_side "$work/overview.png" "$work/bunny00_remesh.png" "" "$work/bunny00_optimized.png" ""
+  image_magick "$work/overview.png" +repage -gravity north -chop 0x56 -resize 420x +dither -colors 64 -strip \
+    "PNG8:$figures/vertex_location_optimization.png"
+}
 
-# the growth of the time, which takes some ten minutes
-"$build_dir/benchmark/Vertex_location_optimization/performance" --sections growth --svg "$figures/growth.svg"
+draw_plots()
+{
+  cmake --build "$build_dir" -j "$jobs" --target quality performance
+  # the errors of remeshes with more and more vertices: the whole benchmark, which takes a quarter of an hour
+  (cd "$work" && "$build_dir/benchmark/Vertex_location_optimization/quality")
+  cp "$work/error_by_vertices_armadillo.svg" "$work/trade_off_armadillo.svg" "$figures"
+  # the growth of the time, which takes some ten minutes
+  "$build_dir/benchmark/Vertex_location_optimization/performance" --sections growth --svg "$figures/growth.svg"
+}
 
-# the package's picture in the overview of CGAL, without titles and scale
-convert "$figures/errors_bunny00.png" +repage -gravity south -chop 0x80 -gravity north -chop 0x45 -resize 420x +dither -colors 64 -strip \
-  "PNG8:$figures/vertex_location_optimization.png"
+[ "$what" = plots ] || draw_pictures
+[ "$what" = pictures ] || draw_plots

@@ -40,13 +40,14 @@ void write_file(const std::filesystem::path& path, const Write& write)
   }
 }
 
-// The color of a value between 0 and 1: blue, green, yellow, orange, red.
+// The color of a value between 0 and 1, from violet to yellow: viridis, which is readable with color blindness.
 inline CGAL::IO::Color color_of(double value)
 {
   using Rgb = std::array<double, 3>;
-  constexpr std::array<Rgb, 5> scale{ Rgb{ 0, 0, 255 }, { 0, 200, 0 }, { 255, 255, 0 }, { 255, 140, 0 }, { 255, 0, 0 } };
-  const double x = 4 * (std::min)(1., (std::max)(0., value));
-  const std::size_t i = (std::min)(std::size_t(3), static_cast<std::size_t>(x));
+  constexpr std::array<Rgb, 9> scale{ Rgb{ 68, 1, 84 }, { 71, 44, 122 }, { 59, 81, 139 }, { 44, 113, 142 }, { 33, 144, 141 },
+                                      { 39, 173, 129 }, { 92, 200, 99 }, { 170, 220, 50 }, { 253, 231, 37 } };
+  const double x = (scale.size() - 1) * (std::min)(1., (std::max)(0., value));
+  const std::size_t i = (std::min)(scale.size() - 2, static_cast<std::size_t>(x));
   auto channel = [&](int k) { return static_cast<unsigned char>(scale[i][k] + (x - i) * (scale[i + 1][k] - scale[i][k])); };
   return CGAL::IO::Color(channel(0), channel(1), channel(2));
 }

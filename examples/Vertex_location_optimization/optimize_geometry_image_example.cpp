@@ -19,6 +19,7 @@
 #include <CGAL/Polygon_mesh_processing/optimize_geometry_image.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <exception>
 #include <fstream>
@@ -86,6 +87,9 @@ int main(int argc, char* argv[])
   CGAL::geometry_image_to_polygon_mesh(full, full_mesh);
   const PMP::Flat_triangle_surface<Mesh> reference(full_mesh);
 
+  const CGAL::Bbox_3 box = CGAL::bbox_3(full.begin(), full.end());
+  const double side = (std::max)({ box.x_span(), box.y_span(), box.z_span() });
+
   const Image image = full.downsampled(step);
   Mesh mesh;
   CGAL::geometry_image_to_polygon_mesh(image, mesh);
@@ -103,7 +107,8 @@ int main(int argc, char* argv[])
     std::cout << full.width() << " x " << full.height() << " -> " << image.width() << " x " << image.height() << " samples\n"
               << "mean error " << before.mean << " before, " << after.mean << " after the optimization\n"
               << "maximum    " << before.max << " before, " << after.max << " after the optimization\n"
-              << "colors from 0 (blue) to " << 3 * before.mean << " (red)" << std::endl;
+              << "colors from 0 (violet) to " << 3 * before.mean << " (yellow), " << 3e4 * before.mean / side
+              << "/10000 of the longest side" << std::endl;
     write_picture(prefix + "full.ppm", full);
     write_picture(prefix + "image.ppm", image);
     write_picture(prefix + "optimized.ppm", optimized);

@@ -59,7 +59,7 @@ struct Settings
   bool is_absolute = false;
   unsigned int remeshing_iterations = 10;
   double crease_angle = 180;
-  double sharpness_angle = 45;
+  double sharpness_angle = 40;
   std::size_t iterations = 30;
   std::size_t free_iterations = 20;
   std::size_t relaxation_steps = 1;
@@ -75,36 +75,39 @@ struct Settings
 bool read_settings(int argc, char* argv[], Settings& s)
 {
   po::options_description options("Options");
-  options.add_options()("help,h", "print this help")(
-    "edge-length,l", po::value(&s.edge_length)->default_value(s.edge_length, "0.02"),
-    "target edge length of the remesh, relative to the longest side of the bounding box")(
-    "absolute,a", po::bool_switch(&s.is_absolute), "the edge length is in the unit of the input")(
-    "remesh,r", po::value(&s.remesh), "take this remesh instead of remeshing the input")(
-    "remeshing-iterations", po::value(&s.remeshing_iterations)->default_value(s.remeshing_iterations),
-    "iterations of isotropic_remeshing()")("crease-angle,c",
-                                           po::value(&s.crease_angle)->default_value(s.crease_angle, "180"),
-                                           "constrain the edges that are sharper than this angle, in degrees")(
-    "relax-constraints", po::bool_switch(&s.relax_constraints), "fit creases and borders along themselves")(
-    "reference", po::value(&s.reference)->default_value(s.reference),
-    "what the input stands for: pn, a smooth surface, or flat, its faces as they are")(
-    "sharpness-angle", po::value(&s.sharpness_angle)->default_value(s.sharpness_angle, "45"),
-    "where the smooth surface has creases, in degrees")(
-    "iterations,n", po::value(&s.iterations)->default_value(s.iterations), "iterations of the optimization at most")(
-    "free-iterations", po::value(&s.free_iterations)->default_value(s.free_iterations),
-    "so many of them are not restricted to the normals")("relaxation-steps",
-                                                         po::value(&s.relaxation_steps)->default_value(s.relaxation_steps),
-                                                         "steps of the springs in each free iteration")(
-    "least-squares", po::bool_switch(&s.is_least_squares),
-    "place the vertices by least squares over both surfaces instead of the piecewise linear method")(
-    "regularity-weight", po::value(&s.regularity_weight)->default_value(s.regularity_weight, "0.15"),
-    "what the shape of the triangles counts in least squares")("test-self-intersections",
-                                                               po::bool_switch(&s.test_self_intersections),
-                                                               "cause no new self-intersection; least squares never does")(
-    "sequential", po::bool_switch(&s.is_sequential), "use one thread")(
-    "output,o", po::value(&s.output)->default_value(s.output), "what the names of the written files begin with")(
-    "format", po::value(&s.format)->default_value(s.format), "format of the meshes: off, obj, ply, stl")(
-    "largest-color", po::value(&s.largest_color),
-    "the error that is red, in the unit of the input; default: three times the mean error of the remesh");
+  // clang-format off
+  options.add_options()
+    ("help,h", "print this help")
+    ("edge-length,l", po::value(&s.edge_length)->default_value(s.edge_length, "0.02"),
+     "target edge length of the remesh, relative to the longest side of the bounding box")
+    ("absolute,a", po::bool_switch(&s.is_absolute), "the edge length is in the unit of the input")
+    ("remesh,r", po::value(&s.remesh), "take this remesh instead of remeshing the input")
+    ("remeshing-iterations", po::value(&s.remeshing_iterations)->default_value(s.remeshing_iterations),
+     "iterations of isotropic_remeshing()")
+    ("crease-angle,c", po::value(&s.crease_angle)->default_value(s.crease_angle, "180"),
+     "constrain the edges that are sharper than this angle, in degrees")
+    ("relax-constraints", po::bool_switch(&s.relax_constraints), "fit creases and borders along themselves")
+    ("reference", po::value(&s.reference)->default_value(s.reference),
+     "what the input stands for: pn, a smooth surface, or flat, its faces as they are")
+    ("sharpness-angle", po::value(&s.sharpness_angle)->default_value(s.sharpness_angle, "40"),
+     "where the smooth surface has creases, in degrees")
+    ("iterations,n", po::value(&s.iterations)->default_value(s.iterations), "iterations of the optimization at most")
+    ("free-iterations", po::value(&s.free_iterations)->default_value(s.free_iterations),
+     "so many of them are not restricted to the normals")
+    ("relaxation-steps", po::value(&s.relaxation_steps)->default_value(s.relaxation_steps),
+     "steps of the springs in each free iteration")
+    ("least-squares", po::bool_switch(&s.is_least_squares),
+     "place the vertices by least squares over both surfaces instead of the piecewise linear method")
+    ("regularity-weight", po::value(&s.regularity_weight)->default_value(s.regularity_weight, "0.15"),
+     "what the shape of the triangles counts in least squares")
+    ("test-self-intersections", po::bool_switch(&s.test_self_intersections),
+     "cause no new self-intersection; least squares never does")
+    ("sequential", po::bool_switch(&s.is_sequential), "use one thread")
+    ("output,o", po::value(&s.output)->default_value(s.output), "what the names of the written files begin with")
+    ("format", po::value(&s.format)->default_value(s.format), "format of the meshes: off, obj, ply, stl")
+    ("largest-color", po::value(&s.largest_color),
+     "the error that is yellow, in the unit of the input; default: three times the mean error of the remesh");
+  // clang-format on
   po::options_description hidden;
   hidden.add_options()("input", po::value(&s.input));
   po::positional_options_description positional;
@@ -276,6 +279,16 @@ Crease_map mark_creases(Mesh& mesh, double angle)
   return is_crease;
 }
 
+void print_reference(const PMP::Reference_surface_summary& reference, double side)
+{
+  if(reference.kind == PMP::Reference_surface_kind::FLAT)
+    std::printf("reference: the faces of the input\n");
+  else
+    std::printf("reference: PN triangles, off the faces of the input by %.3g in the mean, by %.3g at most "
+                "(1e-4 of the longest side)\n",
+                reference.mean_deviation / side * 1e4, reference.maximum_deviation / side * 1e4);
+}
+
 template <typename Concurrency, typename Surface>
 void optimize(const Settings& s, const Mesh& input, Mesh& mesh, Crease_map is_crease, const Surface& reference)
 {
@@ -304,6 +317,7 @@ void optimize(const Settings& s, const Mesh& input, Mesh& mesh, Crease_map is_cr
         .visitor(std::ref(progress)));
   }
   std::printf("optimized: %zu iterations, %.2f s\n", report.iterations, timer.time());
+  print_reference(report.reference, side);
 
   const Measures after = measure<Concurrency>(mesh, refined_input, reference, errors);
   print_table(before, after, side);
@@ -315,8 +329,8 @@ void optimize(const Settings& s, const Mesh& input, Mesh& mesh, Crease_map is_cr
   write_colored_PLY(s.output + "optimized_error.ply", mesh, errors, largest_color);
   write_VTP(s.output + "remesh_error.vtp", remesh, "error", errors_before);
   write_VTP(s.output + "optimized_error.vtp", mesh, "error", errors);
-  std::printf("written: %sremesh*, %soptimized*; colors from 0 (blue) to %.3g (red)\n", s.output.c_str(), s.output.c_str(),
-              largest_color);
+  std::printf("written: %sremesh*, %soptimized*\ncolors from 0 (violet) to %.3g (yellow), %.3g/10000 of the longest side\n",
+              s.output.c_str(), s.output.c_str(), largest_color, largest_color / side * 1e4);
 }
 
 template <typename Concurrency>

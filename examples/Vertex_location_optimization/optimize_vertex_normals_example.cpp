@@ -26,11 +26,11 @@ using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 namespace PMP = CGAL::Polygon_mesh_processing;
 using Concurrency = CGAL::Parallel_if_available_tag;
 
-// with the normals, if it has the property "v:normal"
+// as text, with the normals if it has the property "v:normal"
 bool write(const std::string& name, const Mesh& mesh)
 {
-  std::ofstream out(name, std::ios::binary);
-  CGAL::IO::set_binary_mode(out);
+  std::ofstream out(name);
+  out.precision(17);
   return out && CGAL::IO::write_PLY(out, mesh);
 }
 

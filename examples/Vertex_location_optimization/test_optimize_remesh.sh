@@ -8,7 +8,7 @@ set -u
 program=$1
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
-cd "$folder"
+cd "$folder" || exit
 failures=0
 
 fail()
@@ -30,7 +30,7 @@ check_refused()
 }
 
 triangle='OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n'
-printf "$triangle" > triangle.off
+printf '%b' "$triangle" > triangle.off
 : > empty.off
 echo garbage > garbage.off
 printf 'OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n' > quadrangle.off

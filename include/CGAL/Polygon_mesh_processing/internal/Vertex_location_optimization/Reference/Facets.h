@@ -22,6 +22,7 @@ struct Facets
 
   std::vector<Index> of_face; // one face of the facet stands for all
   std::vector<double> area;   // of the facet of each face
+  std::vector<Vector> normal; // the same: the mean of its faces
 };
 
 // Joins faces across edges that are no creases. Faces without an area are facets by themselves.
@@ -64,12 +65,19 @@ find_facets(const Mesh_arrays& mesh, const std::vector<Vector>& face_normals, co
   for(Index f = 0; f < n; ++f)
   {
     if(!is_plane[facets.of_face[f]])
+    {
       facets.of_face[f] = f;
+      sums[f] = mesh.area_normal(f);
+    }
     areas[facets.of_face[f]] += mesh.area(f);
   }
   facets.area.resize(n);
+  facets.normal.resize(n);
   for(Index f = 0; f < n; ++f)
+  {
     facets.area[f] = areas[facets.of_face[f]];
+    facets.normal[f] = normalized(sums[facets.of_face[f]]);
+  }
   return facets;
 }
 

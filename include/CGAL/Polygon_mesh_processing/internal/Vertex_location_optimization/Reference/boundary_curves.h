@@ -61,24 +61,20 @@ struct Bend
 inline Bend
 bend_beyond(const Sector_graph& graph, const std::vector<Vector>& normals, const Index sector, const Vector& direction)
 {
-  constexpr double cosine = 0.5;        // an edge continues another one if it turns by less than 60 degrees
+  constexpr double cosine = 0.6;        // an edge continues another one if it turns by less than 53 degrees
   constexpr double least_slope = 0.125; // relative to that of the edge
   constexpr double longest = 4;         // relative to the edge that continues this one
 
   const Vector& n = normals[sector];
-  double straightest = -cosine, slope = 0, length = 0;
+  const double slope = n * direction;
+  Bend bend{ false, 0 };
   graph.for_each_edge(sector, [&](Index, const Vector& other, const Sector_graph::Edge& edge) {
-    const double c = other * direction;
-    if(c < straightest)
-    {
-      straightest = c;
-      slope = n * other;
-      length = edge.length;
-    }
+    if(other * direction > -cosine)
+      return;
+    bend.goes_on = bend.goes_on || slope * (n * other) > least_slope * square(slope);
+    bend.length_limit = (std::max)(bend.length_limit, longest * edge.length);
   });
-  if(length == 0) // nothing continues the edge
-    return { true, (std::numeric_limits<double>::max)() };
-  return { slope * (n * direction) > least_slope * square(n * direction), longest * length };
+  return bend.length_limit > 0 ? bend : Bend{ true, (std::numeric_limits<double>::max)() }; // nothing continues the edge
 }
 
 // The boundary curve of the patches at edge e, which is not in a facet. It is tangent to the planes at its ends as far as
@@ -177,7 +173,6 @@ struct Patch_boundaries
 // tangent plane there. The curves inside a facet are orthogonal to these normals, so that its triangulation does not show.
 template <typename ConcurrencyTag>
 Patch_boundaries compute_patch_boundaries(const Mesh_arrays& mesh,
-                                          const std::vector<Vector>& face_normals,
                                           const Facets& facets,
                                           const Sector_graph& graph,
                                           const std::vector<Vector>& sector_normals)
@@ -194,7 +189,8 @@ Patch_boundaries compute_patch_boundaries(const Mesh_arrays& mesh,
     bool is_limited = false;
     const Vector to_next = boundary_tangent(mesh, facets, curves, c, false, is_limited);
     const Vector to_previous = boundary_tangent(mesh, facets, curves, c, true, is_limited);
-    normals[i] = is_limited ? orthogonal_normal(face_normals[c / 3], to_next, to_previous) : sector_normals[graph.sector(c)];
+    normals[i] =
+      is_limited ? orthogonal_normal(facets.normal[c / 3], to_next, to_previous) : sector_normals[graph.sector(c)];
   });
 
   for_each_index<ConcurrencyTag>(curves.size(), [&](std::size_t e) {

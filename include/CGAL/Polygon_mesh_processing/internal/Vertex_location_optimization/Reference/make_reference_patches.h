@@ -76,8 +76,7 @@ void make_patches(const Mesh_arrays& mesh,
   const Sector_graph graph(mesh, is_crease, facets);
   const std::vector<Vector> sector_normals =
     compute_sector_normals<ConcurrencyTag>(mesh, face_normals, is_crease, facets, graph);
-  const Patch_boundaries boundaries =
-    compute_patch_boundaries<ConcurrencyTag>(mesh, face_normals, facets, graph, sector_normals);
+  const Patch_boundaries boundaries = compute_patch_boundaries<ConcurrencyTag>(mesh, facets, graph, sector_normals);
 
   patches.resize(mesh.number_of_faces());
   for_each_index<ConcurrencyTag>(patches.size(), [&](std::size_t f) {

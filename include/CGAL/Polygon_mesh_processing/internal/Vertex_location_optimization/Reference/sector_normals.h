@@ -20,7 +20,7 @@ namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 struct Average_normal
 {
   Vector normal;
-  double least_cosine; // of the angles to the normals of the facets
+  double spread; // the largest distance from the normals of the facets, as points of the unit sphere
   double largest_area;
 };
 
@@ -52,12 +52,12 @@ std::vector<Average_normal> average_facet_normals(const Mesh_arrays& mesh,
       sum = sum + angle * facet_weight(facets.area[c / 3], largest) * face_normals[c / 3];
     });
     const Vector average = normalized(sum);
-    double least_cosine = 1;
+    double spread2 = 0;
     sectors.for_each_corner(graph.corner(static_cast<Index>(s)), [&](Index c) {
       if(face_normals[c / 3] != NULL_VECTOR)
-        least_cosine = (std::min)(least_cosine, average * face_normals[c / 3]);
+        spread2 = (std::max)(spread2, (average - face_normals[c / 3]).squared_length());
     });
-    averages[s] = { average, least_cosine, largest };
+    averages[s] = { average, std::sqrt(spread2), largest };
   });
   return averages;
 }
@@ -127,7 +127,9 @@ inline Vector correct_normal(const Sector_graph& graph,
   const Vector step = relaxation * correction.solve();
   const Vector corrected = normalized(n + (step - (step * n) * n));
   // the facets bound the normal
-  return corrected * average.normal >= average.least_cosine ? corrected : n;
+  const Vector from_average = corrected - average.normal;
+  const double distance = norm(from_average);
+  return distance > average.spread ? normalized(average.normal + (average.spread / distance) * from_average) : corrected;
 }
 
 // The normals of the sectors: the patches are tangent to the planes orthogonal to them.

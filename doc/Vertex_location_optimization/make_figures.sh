@@ -59,6 +59,8 @@ draw_pictures()
   compare_images "$work/image_" "$figures/geometry_image.png" edges=1
   image_magick "$figures/geometry_image.png" -resize 1100x +dither -posterize 32 -strip "PNG24:$figures/geometry_image.png"
 
+  awk -f "$root/doc/Vertex_location_optimization/make_reference_figure.awk" > "$figures/reference_of_part.svg"
+
   # the package's picture in the overview of CGAL, without titles and scale
   put_side_by_side "$work/overview.png" "$work/bunny00_remesh.png" "" "$work/bunny00_optimized.png" ""
   image_magick "$work/overview.png" +repage -gravity north -chop 0x56 -resize 420x +dither -colors 64 -strip \

@@ -10,6 +10,7 @@
 
 #include <CGAL/Polygon_mesh_processing/Flat_triangle_surface.h>
 #include <CGAL/Polygon_mesh_processing/optimize_vertex_locations.h>
+#include <CGAL/Polygon_mesh_processing/orientation.h>
 
 #include <cmath>
 #include <iterator>
@@ -197,6 +198,44 @@ void test_edges_without_crease()
   }
 }
 
+// Two spheres that touch in a vertex, of which each has a copy.
+void test_coincident_vertices()
+{
+  start_topic("Copies of a vertex stay together");
+  const auto add = [](Mesh& mesh, int level) {
+    const Mesh sphere = make_mesh(icosphere(level));
+    const Point touching = sphere.point(Mesh::Vertex_index(0));
+    for(double sign : { -1., 1. })
+    {
+      Mesh copy = sphere;
+      for(Point& p : copy.points())
+        p = CGAL::ORIGIN + sign * (p - touching); // the touching vertex is the origin, exactly
+      if(sign < 0)
+        PMP::reverse_face_orientations(copy);
+      mesh += copy;
+    }
+  };
+  Mesh reference, mesh;
+  add(reference, 4);
+  add(mesh, 2);
+  for(PMP::Placement_method method : { PMP::PIECEWISE_LINEAR, PMP::LEAST_SQUARES })
+  {
+    Mesh optimized = mesh;
+    PMP::optimize_vertex_locations(optimized, reference, CGAL::parameters::placement_method(method));
+    int number_of_copies = 0, number_of_moves = 0;
+    for(Mesh::Vertex_index v : mesh.vertices())
+      if(mesh.point(v) == CGAL::ORIGIN)
+      {
+        ++number_of_copies;
+        CHECK(optimized.point(v) == CGAL::ORIGIN);
+      }
+      else
+        number_of_moves += optimized.point(v) != mesh.point(v);
+    CHECK_EQUAL(number_of_copies, 2);
+    CHECK_AT_LEAST(number_of_moves, 200);
+  }
+}
+
 int main()
 {
   start_topic("the rims of a can follow its circles");
@@ -209,5 +248,6 @@ int main()
   test_cube();
   start_topic("edges without a crease stay");
   test_edges_without_crease();
+  test_coincident_vertices();
   return test_result();
 }

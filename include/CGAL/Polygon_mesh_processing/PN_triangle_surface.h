@@ -20,10 +20,23 @@ namespace Polygon_mesh_processing {
  *
  * \brief The class `PN_triangle_surface` is the smooth surface that the vertices and normals of a triangle mesh suggest.
  *
- * Each face of the mesh carries a curved PN triangle \cgalCite{vpbm2001}: a cubic Bézier triangle that
- * interpolates the vertices and is orthogonal to the normals there, and a quadratic interpolation of the normals.
- * The normal at a corner of a face is the average of the normals of the faces around the vertex, weighted by their
- * angles, up to the next crease or border. Both sides of a crease share its curve, so that the surface has no gap.
+ * Each face of the mesh carries a curved PN triangle \cgalCite{vpbm2001}: a cubic Bézier triangle that interpolates the
+ * vertices and, as far as they agree, is orthogonal to the normals there, and a quadratic interpolation of the normals.
+ * Normals stop at creases and borders. Both sides of a crease share its curve, so that the surface has no gap.
+ *
+ * The normal at a vertex is first an average over the facets around it, that is, over coplanar faces as one, weighted by
+ * their angles; facets less than half as large as the largest one count less. A few sweeps then correct it such that
+ * each edge makes the same angle with the surface at both of its ends, which holds on every quadric surface. So the normals
+ * at the seam of a plane and a fillet are those of the plane, and it does not matter how a facet is triangulated.
+ *
+ * Where the normals do not tell a consistent curved patch the surface follows the edges of the mesh. The curve over an edge
+ * leaves it at one end at most three times as far as at the other, leaves it only if the surface bends beyond one of its
+ * ends as well, and no farther than if the edge was four times as long as the one that continues it. Planes, chamfers, the
+ * rulings of cones, and flat sheets with a curved border therefore stay as they are.
+ *
+ * No point of the surface is farther from the face it belongs to than
+ * \f$ \frac{2}{3} l \sin \alpha \f$, where \f$ l \f$ is the length of the longest edge of the face and \f$ \alpha \f$ the
+ * largest angle between the face and the tangent planes at its vertices.
  *
  * The surface is a copy: it neither refers to the mesh nor changes with it. Once constructed it can be used by several
  * threads at the same time.
@@ -82,7 +95,7 @@ public:
    *   \cgalParamNBegin{sharpness_angle}
    *     \cgalParamDescription{An edge is a crease if the normals of its two faces differ by more than this angle.}
    *     \cgalParamType{a number type convertible to `double`, in degrees}
-   *     \cgalParamDefault{`45`}
+   *     \cgalParamDefault{`40`}
    *   \cgalParamNEnd
    * \cgalNamedParamsEnd
    *

@@ -61,9 +61,12 @@ namespace Polygon_mesh_processing {
  * \tparam NamedParameters1 a sequence of \ref bgl_namedparameters "Named Parameters"
  * \tparam NamedParameters2 a sequence of \ref bgl_namedparameters "Named Parameters"
  *
- * \param tmesh the remesh, whose vertices are moved
+ * \param tmesh the remesh, whose vertices are moved. Vertices that are at the same point, such as the copies of a
+ *              non-manifold vertex, stay.
  * \param reference the surface that `tmesh` approximates: the triangle mesh that was remeshed, which is taken as a
- *                  `PN_triangle_surface`, or a reference surface, which can serve for many calls
+ *                  `PN_triangle_surface`, or, if creases make more than a third of the length of its edges, as a
+ *                  `Flat_triangle_surface`; or a reference surface, which can serve for many calls. The report says
+ *                  which it was.
  * \param np1 an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
  *
  * \cgalNamedParamsBegin

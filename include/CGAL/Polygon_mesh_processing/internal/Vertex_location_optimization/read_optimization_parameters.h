@@ -13,6 +13,8 @@
 
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
+#include <numeric>
 #include <vector>
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
@@ -50,8 +52,23 @@ Optimization_options read_options(const NamedParameters& np)
   return options;
 }
 
+// Calls f(i) for each vertex i at the point of another one: a copy of a non-manifold vertex, for example.
+template <typename F>
+void for_each_coincident_vertex(const std::vector<Point>& points, const F& f)
+{
+  std::vector<Index> order(points.size());
+  std::iota(order.begin(), order.end(), Index(0));
+  std::sort(order.begin(), order.end(), [&](Index i, Index j) { return points[i] < points[j]; });
+  for(std::size_t k = 1; k < order.size(); ++k)
+    if(points[order[k]] == points[order[k - 1]])
+    {
+      f(order[k - 1]);
+      f(order[k]);
+    }
+}
+
 // What the user's constraints and the border keep from moving freely. Constrained edges and the border hold their vertices
-// or, if `relax_constraints`, guide them.
+// or, if `relax_constraints`, guide them. Vertices at the same point stay, as they must not part.
 template <typename TriangleMesh, typename NamedParameters>
 Constraints
 read_constraints(const Mesh_arrays& mesh, const Mesh_descriptors<TriangleMesh>& descriptors, const NamedParameters& np)
@@ -77,6 +94,7 @@ read_constraints(const Mesh_arrays& mesh, const Mesh_descriptors<TriangleMesh>& 
   for(std::size_t i = 0; i < mesh.points.size(); ++i)
     if(get(vertex_is_constrained, descriptors.vertices[i]))
       constraints.kinds[i] = Vertex_kind::FIXED;
+  for_each_coincident_vertex(mesh.points, [&](Index i) { constraints.kinds[i] = Vertex_kind::FIXED; });
   return constraints;
 }
 

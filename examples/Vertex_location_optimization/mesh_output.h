@@ -44,8 +44,9 @@ void write_file(const std::filesystem::path& path, const Write& write)
 inline CGAL::IO::Color color_of(double value)
 {
   using Rgb = std::array<double, 3>;
-  constexpr std::array<Rgb, 9> scale{ Rgb{ 68, 1, 84 }, { 71, 44, 122 }, { 59, 81, 139 }, { 44, 113, 142 }, { 33, 144, 141 },
-                                      { 39, 173, 129 }, { 92, 200, 99 }, { 170, 220, 50 }, { 253, 231, 37 } };
+  constexpr std::array<Rgb, 9> scale{ Rgb{ 68, 1, 84 }, { 71, 44, 122 },  { 59, 81, 139 },
+                                      { 44, 113, 142 }, { 33, 144, 141 }, { 39, 173, 129 },
+                                      { 92, 200, 99 },  { 170, 220, 50 }, { 253, 231, 37 } };
   const double x = (scale.size() - 1) * (std::min)(1., (std::max)(0., value));
   const std::size_t i = (std::min)(scale.size() - 2, static_cast<std::size_t>(x));
   auto channel = [&](int k) { return static_cast<unsigned char>(scale[i][k] + (x - i) * (scale[i + 1][k] - scale[i][k])); };

@@ -110,7 +110,7 @@ namespace Polygon_mesh_processing {
  *   \cgalParamNBegin{regularity_weight}
  *     \cgalParamDescription{with `LEAST_SQUARES`, the weight of the regularity of the triangles beside their error; less
  *                           of it gives less error and less regular triangles. It is multiplied by the square root of
- *                           the mean error of `tmesh`, relative to 6% of the mean edge length: the smaller the error,
+ *                           the mean error of `tmesh`, relative to 5.5% of the mean edge length: the smaller the error,
  *                           the less of it is given for regularity.}
  *     \cgalParamType{a number type convertible to `double`}
  *     \cgalParamDefault{`0.15`}

@@ -55,12 +55,12 @@ public:
     : Base(reference, remesh, Sample_set::MIDPOINTS_AND_BARYCENTERS), m_regularity_weight(options.regularity_weight)
   {}
 
-  // The smaller the error of M_0, the less of it is given for regularity. 6% of the edge length is a large one.
+  // The smaller the error of M_0, the less of it is given for regularity. 5.5% of the edge length is a large one.
   Initial_measure start() override
   {
     Initial_measure initial = m_samples.template start<ConcurrencyTag>(m_reference, m_remesh);
     const double mean = mean_distance<ConcurrencyTag>(m_remesh, m_remesh.points, initial.distances);
-    constexpr double large_error = 0.06;
+    constexpr double large_error = 0.055;
     m_regularity_weight *= std::sqrt(mean / (large_error * m_remesh.mean_edge_length));
     m_area_samples.template start<ConcurrencyTag>(m_reference, m_remesh);
     return initial;

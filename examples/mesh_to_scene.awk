@@ -2,7 +2,7 @@
 #
 #   awk -f mesh_to_scene.awk [-v NAME=VALUE]... MESH
 #
-# MESH is a triangle mesh, a text file: .vtp as the examples write it, or .ply, if need be with normals. The variables are
+# MESH is a triangle mesh, a text file: .vtp as the examples write it, or .ply, if need be with normals or colors. The variables are
 #   azimuth, elevation   of the camera, in degrees; at 0 it looks along the negative z axis, and y is up
 #   colors               red, green and blue, between 0 and 255, of the scalars from 0 to `largest`
 #   largest              if it is given, the scalars are shown in colors
@@ -23,12 +23,15 @@ BEGIN {
 }
 /^</ { part = ""; next }
 /^element vertex/ { n_ply = $3; next }
+/^property .* red$/ { red = n_properties + 1 } # the column
+/^property/ { ++n_properties; next }
 /^end_header/ { part = "ply"; next }
 part == "scalars" { scalar[n_scalars++] = $1; next }
 part == "points" { add_point($1, $2, $3); next }
 part == "faces" { add_face($1, $2, $3); next }
 part == "ply" && n_points < n_ply {
-  if(NF >= 6) rotate($4, $5, $6, n_points, normal)
+  if(red) scalar[n_points] = $red / 255 " " $(red + 1) / 255 " " $(red + 2) / 255
+  else if(NF >= 6) rotate($4, $5, $6, n_points, normal)
   add_point($1, $2, $3)
   next
 }
@@ -63,9 +66,10 @@ function add_face(a, b, c)
   corner[n_faces++, 2] = b
 }
 
-# the color of a scalar
+# the color of a scalar, which in a .ply is one
 function color_of(value,    t, i, k, result)
 {
+  if(red) return value
   if(!largest) return "0.8 0.82 0.86"
   t = value >= largest ? n_colors - 1 : value / largest * (n_colors - 1)
   i = t >= n_colors - 1 ? n_colors - 2 : int(t)

@@ -47,14 +47,30 @@ draw_normals()
   image_magick "$figures/normals_$model.png" +dither -colors 128 "PNG8:$figures/normals_$model.png"
 }
 
+# draw_colors MODEL EDGE_LENGTH [NAME=VALUE...]: a coarse remesh with sampled and with optimized colors
+draw_colors()
+{
+  local model=$1 edge_length=$2 kind
+  shift 2
+  "$examples/optimize_attributes_example" "$CGAL_DATA_DIR/meshes/$model.off" "$edge_length" "$work/${model}_"
+  for kind in input sampled optimized; do
+    render "$work/${model}_${kind}_colors.ply" "$work/$kind.png" "$@"
+  done
+  put_side_by_side "$figures/colors_$model.png" "$work/sampled.png" "colors at the closest points" \
+    "$work/optimized.png" "optimized colors" "$work/input.png" "input"
+  image_magick "$figures/colors_$model.png" +dither -colors 160 "PNG8:$figures/colors_$model.png"
+}
+
 draw_pictures()
 {
-  cmake --build "$build_dir" -j "$jobs" --target optimize_remesh optimize_vertex_normals_example optimize_geometry_image_example
+  cmake --build "$build_dir" -j "$jobs" --target optimize_remesh optimize_vertex_normals_example optimize_attributes_example \
+    optimize_geometry_image_example
   draw_errors armadillo "--edge-length 0.012" azimuth=180
   draw_errors refined_elephant "--edge-length 0.025"
   draw_errors bunny00 "--edge-length 0.05" edges=1
   draw_errors fandisk "--edge-length 0.04 --crease-angle 40 --relax-constraints --reference flat" edges=1 azimuth=30 elevation=20
   draw_normals armadillo 2.7 azimuth=180
+  draw_colors bunny00 0.03
   "$examples/optimize_geometry_image_example" "$CGAL_DATA_DIR/meshes/lion-head.off" 4 "$work/image_" | tee "$work/image_log.txt"
   compare_images "$work/image_" "$figures/geometry_image.png" edges=1
   image_magick "$figures/geometry_image.png" -resize 1100x +dither -posterize 32 -strip "PNG24:$figures/geometry_image.png"

@@ -5,6 +5,7 @@
 
 // Remeshes a surface, optimizes the locations of the vertices, and tells and shows what it gained.
 
+#include "mesh_attributes.h"
 #include "mesh_output.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -53,7 +54,7 @@ struct Settings
   std::string input;
   std::string remesh;        // instead of remeshing
   std::string output = "./"; // what the names of the files begin with
-  std::string format = "off";
+  std::string format;        // empty: that of the input
   std::string reference = "pn";
   double edge_length = 0.02;
   bool is_absolute = false;
@@ -70,6 +71,16 @@ struct Settings
   bool is_sequential = false;
   double largest_color = 0; // 0: three times the mean error of the remesh
 };
+
+// the extension of a file name, if meshes can be written so
+std::string format_of(const std::string& name)
+{
+  const std::string extension = std::filesystem::path(name).extension().string();
+  for(const char* format : { "obj", "ply", "stl" })
+    if(extension == std::string(".") + format)
+      return format;
+  return "off";
+}
 
 // Reads the command line. Returns false if it asks for help, which is given.
 bool read_settings(int argc, char* argv[], Settings& s)
@@ -104,7 +115,7 @@ bool read_settings(int argc, char* argv[], Settings& s)
      "cause no new self-intersection; least squares never does")
     ("sequential", po::bool_switch(&s.is_sequential), "use one thread")
     ("output,o", po::value(&s.output)->default_value(s.output), "what the names of the written files begin with")
-    ("format", po::value(&s.format)->default_value(s.format), "format of the meshes: off, obj, ply, stl")
+    ("format", po::value(&s.format), "format of the meshes: off, obj, ply, stl; default: that of the input")
     ("largest-color", po::value(&s.largest_color),
      "the error that is yellow, in the unit of the input; default: three times the mean error of the remesh");
   // clang-format on
@@ -121,7 +132,9 @@ bool read_settings(int argc, char* argv[], Settings& s)
   {
     std::cout << "Usage: optimize_remesh [options] MESH\n\n"
               << "Remeshes MESH, optimizes the locations of the vertices, prints the errors before and after, and\n"
-              << "writes remesh and optimized, each also with its errors as colors (.ply) and as a scalar (.vtp).\n\n"
+              << "writes remesh and optimized, each also with its errors as colors (.ply) and as a scalar (.vtp).\n"
+              << "Both keep the colors and normals of the vertices that MESH has (.ply, .off), and its texture\n"
+              << "coordinates (.obj).\n\n"
               << options;
     return false;
   }
@@ -138,6 +151,8 @@ bool read_settings(int argc, char* argv[], Settings& s)
   require(s.regularity_weight >= 0, "--regularity-weight must not be negative");
   require(s.largest_color >= 0, "--largest-color must not be negative");
   require(s.reference == "pn" || s.reference == "flat", "--reference must be pn or flat");
+  if(s.format.empty())
+    s.format = format_of(s.input);
   require(s.format == "off" || s.format == "obj" || s.format == "ply" || s.format == "stl",
           "--format must be off, obj, ply or stl");
   const std::filesystem::path folder = std::filesystem::path(s.output + "remesh").parent_path();
@@ -153,7 +168,9 @@ Mesh read_mesh(const std::string& name)
   };
   require(std::filesystem::is_regular_file(name), "there is no such file");
   Mesh mesh;
-  require(PMP::IO::read_polygon_mesh(name, mesh), "it is unreadable or no manifold mesh");
+  // what must be repaired loses its attributes
+  require(read_mesh_with_attributes(name, mesh) || PMP::IO::read_polygon_mesh(name, mesh),
+          "it is unreadable or no manifold mesh");
   require(mesh.number_of_faces() > 0, "it has no face");
   require(CGAL::is_triangle_mesh(mesh), "its faces are not all triangles");
   for(const Point& p : mesh.points())
@@ -271,11 +288,17 @@ private:
   bool m_is_visible;
 };
 
+// the sharp edges, and the seams of the texture
 Crease_map mark_creases(Mesh& mesh, double angle)
 {
   Crease_map is_crease = mesh.add_property_map<Mesh::Edge_index, bool>("e:is_crease", false).first;
   if(angle < 180)
     PMP::detect_sharp_edges(mesh, angle, is_crease);
+  const Mesh_attributes<Point> attributes(mesh);
+  if(attributes.has_texture)
+    for(Mesh::Edge_index e : mesh.edges())
+      if(is_texture_seam(mesh, attributes.texture, e))
+        is_crease[e] = true;
   return is_crease;
 }
 
@@ -323,8 +346,10 @@ void optimize(const Settings& s, const Mesh& input, Mesh& mesh, Crease_map is_cr
   print_table(before, after, side);
 
   const double largest_color = s.largest_color > 0 ? s.largest_color : 3 * before.error.mean;
-  write_mesh(s.output + "remesh." + s.format, remesh);
-  write_mesh(s.output + "optimized." + s.format, mesh);
+  for(Mesh* m : { &remesh, &mesh })
+    transfer_attributes<Concurrency>(input, reference, *m, is_crease);
+  write_mesh_with_attributes(s.output + "remesh." + s.format, remesh);
+  write_mesh_with_attributes(s.output + "optimized." + s.format, mesh);
   write_colored_PLY(s.output + "remesh_error.ply", remesh, errors_before, largest_color);
   write_colored_PLY(s.output + "optimized_error.ply", mesh, errors, largest_color);
   write_VTP(s.output + "remesh_error.vtp", remesh, "error", errors_before);

@@ -67,6 +67,48 @@ for file in remesh.off remesh_error.ply remesh_error.vtp optimized.off optimized
 done
 "$program" triangle.off --edge-length 0.3 --least-squares --regularity-weight 0.2 -o least_squares_ > stdout 2> stderr ||
   fail "least squares"
+
+# the input's attributes: colors and normals of a square, and the texture coordinates of a square
+# whose halves are apart in the texture
+cat > colors.ply <<'END'
+ply
+format ascii 1.0
+element vertex 4
+property double x
+property double y
+property double z
+property double nx
+property double ny
+property double nz
+property uchar red
+property uchar green
+property uchar blue
+element face 2
+property list uchar int vertex_indices
+end_header
+0 0 0 0 0 1 10 40 200
+1 0 0 0 0 1 10 40 200
+1 1 0 0 0 1 10 40 200
+0 1 0 0 0 1 10 40 200
+3 0 1 2
+3 0 2 3
+END
+"$program" colors.ply --edge-length 0.3 --format off -o colored_ > stdout 2> stderr || fail "a mesh with colors"
+head -n 1 colored_optimized.off | grep -q 'NC\|CN' || fail "no colors and normals in $(head -n 1 colored_optimized.off)"
+sed -n '3,$p' colored_optimized.off | awk 'NF >= 9 && !(/ 10 40 200/ && $6 == 1) { exit 1 }' || fail "other colors or normals"
+"$program" colors.ply --edge-length 0.3 -o colored_ > stdout 2> stderr && grep -aq 'property uchar red' colored_optimized.ply ||
+  fail "no colors in the format of the input"
+
+printf 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 0.4 0\nvt 0.4 0.4\nvt 0.6 0.6\nvt 1 1\nvt 0.6 1\n' > texture.obj
+printf 'f 1/1 2/2 3/3\nf 1/4 3/5 4/6\n' >> texture.obj
+"$program" texture.obj --edge-length 0.2 -o textured_ > stdout 2> stderr || fail "a mesh with texture coordinates"
+grep -q '^f [0-9]*/[0-9]* ' textured_optimized.obj || fail "no texture coordinates"
+awk '$1 == "vt" && !(($2 < 0.41 && $3 < 0.41) || ($2 > 0.59 && $3 > 0.59)) { exit 1 }' textured_optimized.obj ||
+  fail "texture coordinates between the parts of the texture"
+sed 's#/9#/#; s#/6#/600#' texture.obj > broken.obj
+"$program" broken.obj --edge-length 0.2 -o broken_ > stdout 2> stderr || fail "texture coordinates that are missing"
+grep -q '^vt' broken_optimized.obj && fail "texture coordinates that the input does not have"
+
 compgen -G '*.partial*' > written && fail "an incomplete file is left"
 "$program" --help | grep -q -- --edge-length || fail "--help"
 

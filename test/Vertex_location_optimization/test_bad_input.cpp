@@ -10,8 +10,11 @@
 #include "mesh_quality.h"
 #include "test_meshes.h"
 
+#include <CGAL/Polygon_mesh_processing/attribute_error.h>
 #include <CGAL/Polygon_mesh_processing/Flat_triangle_surface.h>
+#include <CGAL/Polygon_mesh_processing/optimize_vertex_attributes.h>
 #include <CGAL/Polygon_mesh_processing/optimize_vertex_locations.h>
+#include <CGAL/Polygon_mesh_processing/transfer_face_attributes.h>
 
 #include <CGAL/assertions_behaviour.h>
 #include <CGAL/boost/graph/generators.h>
@@ -261,6 +264,71 @@ void test_scales()
   }
 }
 
+// f() violates a precondition, which is found if it is checked
+template <typename F>
+void check_violation(const F& f)
+{
+  CHECK_EQUAL(violates_precondition(f), checks_are_on);
+}
+
+using Vertex_values = Mesh::Property_map<Vertex, double>;
+using Face_values = Mesh::Property_map<Mesh::Face_index, int>;
+
+template <typename Reference>
+void check_attributes_refused(Mesh mesh, const Reference& reference, Vertex_values values, Face_values labels)
+{
+  const Vertex_values result = mesh.add_property_map<Vertex, double>("v:result", 7).first;
+  const Face_values face_result = mesh.add_property_map<Mesh::Face_index, int>("f:result", 7).first;
+  check_violation([&] { PMP::optimize_vertex_attributes(mesh, reference, values, result); });
+  check_violation([&] { PMP::transfer_face_attributes(mesh, reference, labels, face_result); });
+  check_violation([&] { CHECK_EQUAL(PMP::attribute_error(mesh, reference, values, result).mean, HUGE_VAL); });
+  CHECK(std::all_of(mesh.vertices().begin(), mesh.vertices().end(), [&](Vertex v) { return result[v] == 7; }));
+  CHECK(std::all_of(mesh.faces().begin(), mesh.faces().end(), [&](Mesh::Face_index f) { return face_result[f] == 7; }));
+}
+
+void test_attributes_refused()
+{
+  start_topic("Attributes that are refused");
+  Mesh mesh = make_mesh(transformed(icosphere(1), rotated)), reference = make_mesh(icosphere(2)),
+       small = make_mesh(icosphere(0)), without_faces;
+  const auto add_values = [](Mesh& m) { return m.add_property_map<Vertex, double>("v:value", 1).first; };
+  const auto add_labels = [](Mesh& m) { return m.add_property_map<Mesh::Face_index, int>("f:label", 1).first; };
+  const Vertex_values values = add_values(reference);
+  const Face_values labels = add_labels(reference);
+  check_attributes_refused(mesh, without_faces, add_values(without_faces), add_labels(without_faces));
+  check_attributes_refused(mesh, PMP::PN_triangle_surface<Mesh>(without_faces), add_values(without_faces),
+                           add_labels(without_faces));
+  check_attributes_refused(mesh, reference, add_values(small), add_labels(small)); // maps of another mesh
+  check_attributes_refused(mesh, reference, Vertex_values(), Face_values());
+  check_attributes_refused(mesh, PMP::Flat_triangle_surface<Mesh>(reference), add_values(small), add_labels(small));
+  Mesh quads = mesh;
+  CGAL::Euler::join_face(quads.halfedge(Mesh::Edge_index(5)), quads);
+  check_attributes_refused(quads, reference, values, labels);
+  check_attributes_refused(mesh, quads, add_values(quads), add_labels(quads));
+  Mesh without_point = mesh;
+  without_point.point(Vertex(3)) = Point(HUGE_VAL, 0, 0);
+  check_attributes_refused(without_point, reference, values, labels);
+
+  // values to be written to a map of another mesh, and values that are not finite
+  const Vertex_values of_small = small.property_map<Vertex, double>("v:value").first;
+  const Face_values labels_of_small = small.property_map<Mesh::Face_index, int>("f:label").first;
+  check_violation([&] { PMP::optimize_vertex_attributes(mesh, reference, values, of_small); });
+  check_violation([&] { PMP::transfer_face_attributes(mesh, reference, labels, labels_of_small); });
+  check_violation([&] { PMP::attribute_error(mesh, reference, values, of_small); });
+  const Vertex_values result = add_values(mesh);
+  for(double bad : { std::numeric_limits<double>::quiet_NaN(), HUGE_VAL, -HUGE_VAL })
+  {
+    values[Vertex(40)] = bad;
+    check_violation([&] { PMP::optimize_vertex_attributes(mesh, reference, values, result); });
+    check_violation([&] { PMP::attribute_error(mesh, reference, values, result); });
+    values[Vertex(40)] = 1;
+    CHECK_EQUAL(result[Vertex(0)], 1);
+    result[Vertex(5)] = bad;
+    check_violation([&] { PMP::attribute_error(mesh, reference, values, result); });
+    result[Vertex(5)] = 1;
+  }
+}
+
 int main()
 {
   CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) {}); // no words, only exceptions
@@ -269,5 +337,6 @@ int main()
   test_components();
   test_odd_connectivity();
   test_scales();
+  test_attributes_refused();
   return test_result();
 }

@@ -6,8 +6,8 @@
 #ifndef CGAL_POLYGON_MESH_PROCESSING_PN_TRIANGLE_SURFACE_H
 #define CGAL_POLYGON_MESH_PROCESSING_PN_TRIANGLE_SURFACE_H
 
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/named_parameters.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/Patch_surface.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/named_parameters.h>
 
 #include <CGAL/Default.h>
 #include <CGAL/tags.h>
@@ -58,11 +58,13 @@ class PN_triangle_surface
 #ifndef DOXYGEN_RUNNING
   : public internal::vertex_location::Patch_surface<
       internal::vertex_location::PN_triangle,
+      TriangleMesh,
       internal::vertex_location::Geom_traits_or_kernel_of<TriangleMesh, GeomTraits>>
 #endif
 {
   using Base =
     internal::vertex_location::Patch_surface<internal::vertex_location::PN_triangle,
+                                             TriangleMesh,
                                              internal::vertex_location::Geom_traits_or_kernel_of<TriangleMesh, GeomTraits>>;
 
 public:
@@ -105,7 +107,7 @@ public:
   explicit PN_triangle_surface(const TriangleMesh& tmesh,
                                const NamedParameters& np = parameters::default_values(),
                                const ConcurrencyTag& = ConcurrencyTag())
-    : Base(Base::template make_patches<ConcurrencyTag>(tmesh, np))
+    : Base(tmesh, np, ConcurrencyTag())
   {}
 
 #ifdef DOXYGEN_RUNNING
@@ -113,6 +115,13 @@ public:
    * returns whether the surface has no face. Nothing can then be projected to it.
    */
   bool is_empty() const;
+
+  /*!
+   * returns where a foot is in the mesh that the surface was made from: the face, and the barycentric coordinates in it,
+   * in the order of `PMP::Face_location`, which begins with the source of the halfedge of the face. The point of the surface
+   * is not that of the face with these coordinates but lies above or below it.
+   */
+  Face_location<TriangleMesh, double> location(const Foot& foot) const;
 #endif
 };
 

@@ -6,7 +6,7 @@
 #ifndef CGAL_POLYGON_MESH_PROCESSING_APPROXIMATION_ERROR_H
 #define CGAL_POLYGON_MESH_PROCESSING_APPROXIMATION_ERROR_H
 
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Attributes/normal_maps.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Attributes/attribute_maps.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Measure/measure_error.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Measure/measure_normals.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/with_reference_surface.h>
@@ -240,7 +240,8 @@ double normal_deviation(const TriangleMesh& tmesh,
 {
   using namespace internal::vertex_location;
   return measure_normals<ConcurrencyTag>(tmesh, reference, np1, np2, [&](const auto& mesh, const auto& descriptors) {
-    return read_corner_normals(tmesh, mesh, descriptors, normal_map);
+    return read_corner_values<Vector>(tmesh, mesh, descriptors, normal_map,
+                                      [](const auto& normal) { return convert<Vector>(normal); });
   });
 }
 

@@ -6,8 +6,9 @@
 #ifndef CGAL_POLYGON_MESH_PROCESSING_OPTIMIZE_VERTEX_NORMALS_H
 #define CGAL_POLYGON_MESH_PROCESSING_OPTIMIZE_VERTEX_NORMALS_H
 
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Attributes/fit_normals.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Attributes/normal_maps.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Attributes/attribute_maps.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Attributes/fit_signal.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Attributes/Normal_signal.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/with_reference_surface.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/named_parameters.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/read_mesh.h>
@@ -15,6 +16,8 @@
 
 #include <CGAL/tags.h>
 
+#include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -28,8 +31,9 @@ namespace Polygon_mesh_processing {
  *
  * A renderer interpolates the normals of the vertices. The normals of the faces around a vertex give poor ones where the
  * mesh is coarse, and those of the reference at the vertices are on average too much curved. This function fits a
- * piecewise linear function to the normals of the reference at the vertices and at the midpoints of the edges, as
- * `optimize_vertex_locations()` does for the points \cgalCite{vlo2012}. It is best called after that function.
+ * piecewise linear function to the normals of the reference, as `optimize_vertex_attributes()` does with any attribute, and
+ * scales its values to length 1 (Section 3.4 of \cgalCite{vlo2012}). It is best called after
+ * `optimize_vertex_locations()`.
  *
  * At an edge that `edge_is_constrained_map` marks, a crease, each face takes the normals of its own side. The faces
  * around a vertex are in sectors, which creases and borders end; each sector has a normal of its own. A map of the
@@ -85,6 +89,7 @@ namespace Polygon_mesh_processing {
  * If a precondition is violated and not checked, the map is untouched.
  *
  * \sa `CGAL::Polygon_mesh_processing::optimize_vertex_locations()`
+ * \sa `CGAL::Polygon_mesh_processing::optimize_vertex_attributes()`
  * \sa `CGAL::Polygon_mesh_processing::normal_deviation()`
  * \sa `CGAL::Polygon_mesh_processing::compute_vertex_normals()`
  */
@@ -101,6 +106,7 @@ void optimize_vertex_normals(const TriangleMesh& tmesh,
                              const NamedParameters2& np2 = parameters::default_values())
 {
   using namespace internal::vertex_location;
+  using Normal = typename boost::property_traits<NormalMap>::value_type;
 
   Mesh_arrays mesh;
   Mesh_descriptors<TriangleMesh> descriptors;
@@ -109,12 +115,23 @@ void optimize_vertex_normals(const TriangleMesh& tmesh,
   const std::vector<char> is_crease = find_constrained_edges(mesh, descriptors, np1);
 
   with_reference<ConcurrencyTag>(mesh, reference, np2, false, [&](const auto& surface) {
-    const auto samples = sample_normals<ConcurrencyTag>(mesh, surface, is_crease);
-    const auto corner_normals = fit_normals<ConcurrencyTag>(mesh, samples, is_crease);
-    if constexpr(Is_corner_map<TriangleMesh, NormalMap>::value)
-      write_corner_normals(tmesh, descriptors, corner_normals, normal_map);
-    else
-      write_vertex_normals(descriptors, choose_vertex_normals(mesh, samples, is_crease, corner_normals), normal_map);
+    const Normal_signal<std::decay_t<decltype(surface)>> signal(mesh, surface, is_crease);
+    const auto samples = sample_signal<ConcurrencyTag>(mesh, signal, is_crease);
+    Signal_fit<Signal_value<3>> fit(mesh, samples);
+    fit.template solve<ConcurrencyTag>(false);
+
+    const Corner_nodes& nodes = fit.nodes();
+    const std::vector<Index> node_of_vertex = choose_vertex_nodes(mesh, nodes);
+    const auto normal_at = [&](Index node) {
+      return unit_normal_or(to_vector(fit.values()[node]), to_vector(fit.sample(node)));
+    };
+    write_values(
+      tmesh, descriptors, normal_map, [&](std::size_t c) { return convert<Normal>(normal_at(nodes.of_corner(c))); },
+      [&](std::size_t i) {
+        const Vector sample = to_vector(samples.at_vertices[i]);
+        return convert<Normal>(node_of_vertex[i] == no_index ? unit_normal_or(sample, sample)
+                                                             : normal_at(node_of_vertex[i]));
+      });
     return true;
   });
 }

@@ -7,13 +7,13 @@
 #define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_PATCH_SURFACE_H
 
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/make_reference_patches.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/Patch_descriptors.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/Default.h>
 #include <CGAL/Kernel_traits.h>
-
-#include <utility>
+#include <CGAL/Polygon_mesh_processing/locate.h>
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
@@ -29,7 +29,7 @@ template <typename TriangleMesh, typename GeomTraits>
 using Geom_traits_or_kernel_of = typename Default::Lazy_get<GeomTraits, Kernel_of<TriangleMesh>>::type;
 
 // What the two models of `ReferenceSurface` have in common: their patches, for the points of any kernel.
-template <typename Patch, typename GeomTraits>
+template <typename Patch, typename TriangleMesh, typename GeomTraits>
 class Patch_surface
 {
 public:
@@ -51,20 +51,28 @@ public:
   Point_3 point(const Foot& foot) const { return convert<Point_3>(m_patches.point(foot)); }
   Vector_3 normal(const Foot& foot) const { return convert<Vector_3>(m_patches.normal(foot)); }
 
+  // where a foot is in the mesh
+  Face_location<TriangleMesh, double> location(const Foot& foot) const
+  {
+    return m_descriptors.location(foot.patch, foot.coordinates.barycentric());
+  }
+
   // for the phases, which work in double precision; not part of the concept
   const Reference_patches<Patch>& patches() const { return m_patches; }
+  const Patch_descriptors<TriangleMesh>& descriptors() const { return m_descriptors; }
 
 protected:
-  explicit Patch_surface(Reference_patches<Patch> patches) : m_patches(std::move(patches)) {}
-
-  template <typename ConcurrencyTag, typename TriangleMesh, typename NamedParameters>
-  static Reference_patches<Patch> make_patches(const TriangleMesh& tmesh, const NamedParameters& np)
+  template <typename NamedParameters, typename ConcurrencyTag>
+  Patch_surface(const TriangleMesh& tmesh, const NamedParameters& np, const ConcurrencyTag&)
   {
-    return make_reference_patches<Patch, ConcurrencyTag>(tmesh, np);
+    Mesh_descriptors<TriangleMesh> descriptors;
+    m_patches = make_reference_patches<Patch, ConcurrencyTag>(tmesh, np, descriptors);
+    m_descriptors = Patch_descriptors<TriangleMesh>(tmesh, descriptors);
   }
 
 private:
   Reference_patches<Patch> m_patches;
+  Patch_descriptors<TriangleMesh> m_descriptors;
 };
 
 } // namespace CGAL::Polygon_mesh_processing::internal::vertex_location

@@ -24,9 +24,11 @@ namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 //   project(q), project(q, hint)  the closest point
 //   project_locally(q, hint)      the closest point as far as walking from `hint` over neighbors leads closer. Much faster,
 //                                 and the same point unless another sheet of the surface is closer.
+//   walks                         whether `project_locally()` walks, and may so miss a point that is closer
 //   prefetch(hint)                asks for what `project_locally(q, hint)` reads first, to be called some time before it
 //   point(foot), normal(foot)     a unit vector; the null vector where there is no normal
 //   feet_at(foot)                 all feet that are the same point: on an edge they have the normals of several faces
+//   area_at(foot)                 the area of the patch that the foot is in, to tell how fine the surface is; 0: it has none
 //   area()                        0: the surface cannot be sampled
 //   for_each_area_sample(a, f)    calls f(foot) for points spread evenly over the surface, each of which stands for the
 //                                 area a
@@ -44,6 +46,8 @@ public:
   using Foot = typename Surface::Foot;
   using Hint = Foot;
 
+  static constexpr bool walks = false;
+
   explicit Reference_surface_adaptor(const Surface& surface) : m_surface(surface) {}
 
   bool is_empty() const { return false; }
@@ -54,6 +58,7 @@ public:
   Point point(const Foot& foot) const { return convert<Point>(m_surface.point(foot)); }
   Vector normal(const Foot& foot) const { return convert<Vector>(m_surface.normal(foot)); }
   std::array<Foot, 1> feet_at(const Foot& foot) const { return { { foot } }; }
+  double area_at(const Foot&) const { return 0; }
   double area() const { return 0; }
   template <typename F>
   void for_each_area_sample(double, const F&) const

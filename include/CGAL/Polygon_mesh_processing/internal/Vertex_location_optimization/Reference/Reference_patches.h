@@ -25,16 +25,24 @@
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
 // A reference surface: a patch on each face of a mesh, and the curves of its creases and borders. A model of the concept
-// that `Reference_access.h` documents. The patches are surface patches: besides what `Patch_tree` asks of a patch they have
+// that `Reference_access.h` documents, which attributes ask how the patches hang together, too. The patches are surface patches: besides what `Patch_tree` asks of a patch they have
 //   - normal(x), a unit vector, or the null vector where the patch has none;
 //   - area(), an approximation;
 //   - flat_coordinates(q), those of the projection to the plane of the corners, which may be beyond the sides.
 template <typename Patch>
 class Reference_patches
 {
+  struct Can_cross_all
+  {
+    bool operator()(Index, Index) const { return true; }
+  };
+
 public:
   using Foot = Patch_foot;
   using Hint = Patch_hint;
+  using Feet = boost::container::small_vector<Foot, 8>;
+
+  static constexpr bool walks = true;
 
   Reference_patches() = default;
 
@@ -64,6 +72,28 @@ public:
     return foot;
   }
 
+  // The same, but the walk crosses the side k of a patch only if can_cross(patch, k). At such sides it goes on in any patch
+  // around the foot.
+  template <typename CanCross>
+  Foot project_locally(const Point& query, const Foot& hint, const CanCross& can_cross) const
+  {
+    double distance2;
+    Foot foot = m_tree.project_to_patch(query, approach(query, hint.patch, can_cross), distance2);
+    const auto step = [&](Foot other) {
+      if(other.patch == foot.patch || !m_tree.patch(other.patch).improve_foot_from(query, other.coordinates, distance2))
+        return false;
+      foot = other;
+      return true;
+    };
+    const auto step_around = [&] {
+      const Feet feet = feet_at(foot, can_cross);
+      return std::any_of(feet.begin(), feet.end(), step);
+    };
+    while(step_around())
+      ;
+    return foot;
+  }
+
   void prefetch(const Foot& hint) const
   {
     vertex_location::prefetch(m_tree.patch(hint.patch));
@@ -73,20 +103,27 @@ public:
   Point point(const Foot& foot) const { return m_tree.patch(foot.patch).point(foot.coordinates); }
   Vector normal(const Foot& foot) const { return m_tree.patch(foot.patch).normal(foot.coordinates); }
 
-  // several where the foot is on a side or in a corner of its patch
-  boost::container::small_vector<Foot, 8> feet_at(const Foot& foot) const
+  // Several where the foot is on a side or in a corner of its patch: those that are reached across sides k of patches with
+  // can_cross(patch, k).
+  template <typename CanCross = Can_cross_all>
+  Feet feet_at(const Foot& foot, const CanCross& can_cross = CanCross()) const
   {
-    boost::container::small_vector<Foot, 8> feet{ foot };
+    Feet feet{ foot };
     for(std::size_t i = 0; i < feet.size(); ++i)
       for(Index k = 0; k < 3; ++k)
       {
         const Foot other = foot_across(feet[i], k);
         const auto is_other = [&](const Foot& f) { return f.patch == other.patch; };
-        if(other.patch != no_index && std::none_of(feet.begin(), feet.end(), is_other))
+        if(other.patch != no_index && can_cross(feet[i].patch, k) && std::none_of(feet.begin(), feet.end(), is_other))
           feet.push_back(other);
       }
     return feet;
   }
+
+  // the corner on the other side of side k of a patch
+  Index corner_across(Index patch, Index k) const { return m_neighbors[patch][k]; }
+
+  double area_at(const Foot& foot) const { return m_tree.patch(foot.patch).area(); }
 
   double area() const
   {
@@ -159,14 +196,15 @@ private:
   };
 
   // The patch to which going from `patch` straight to `query` leads, as if the patches were flat.
-  Index approach(const Point& query, Index patch) const
+  template <typename CanCross = Can_cross_all>
+  Index approach(const Point& query, Index patch, const CanCross& can_cross = CanCross()) const
   {
     constexpr int max_steps = 16; // a hint that is farther away is a poor one, and the steps would cost more than they save
     for(int step = 0; step < max_steps; ++step)
     {
       const std::array<double, 3> lambda = m_tree.patch(patch).flat_coordinates(query).barycentric();
       const auto k = std::min_element(lambda.begin(), lambda.end()) - lambda.begin();
-      if(!(lambda[k] < 0) || m_neighbors[patch][k] == no_index)
+      if(!(lambda[k] < 0) || m_neighbors[patch][k] == no_index || !can_cross(patch, static_cast<Index>(k)))
         break;
       patch = m_neighbors[patch][k] / 3;
     }

@@ -112,15 +112,16 @@ inline bool is_recognizably_smooth(const Mesh_arrays& mesh, const std::vector<ch
   return length_of_creases <= largest_part * length;
 }
 
-// The reference surface of `tmesh`; an empty one if `tmesh` is unsuitable. If `flat_unless_smooth`, the patches of a mesh
+// The reference surface of `tmesh`, whose faces are the patches; an empty one if `tmesh` is unsuitable. If `flat_unless_smooth`, the patches of a mesh
 // that is not recognizably smooth are flat.
 template <typename Patch, typename ConcurrencyTag, typename TriangleMesh, typename NamedParameters>
-Reference_patches<Patch>
-make_reference_patches(const TriangleMesh& tmesh, const NamedParameters& np, const bool flat_unless_smooth = false)
+Reference_patches<Patch> make_reference_patches(const TriangleMesh& tmesh,
+                                                const NamedParameters& np,
+                                                Mesh_descriptors<TriangleMesh>& descriptors,
+                                                const bool flat_unless_smooth = false)
 {
   const auto vpm = read_vertex_point_map(tmesh, np);
   Mesh_arrays mesh;
-  Mesh_descriptors<TriangleMesh> descriptors;
   if(!read_mesh(tmesh, vpm, mesh, descriptors))
     return {};
   const std::vector<Vector> face_normals = compute_face_normals<ConcurrencyTag>(mesh);

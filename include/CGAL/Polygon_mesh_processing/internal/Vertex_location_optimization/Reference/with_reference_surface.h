@@ -27,13 +27,21 @@ struct Is_reference_surface<Reference, std::void_t<typename Reference::Foot>> : 
 
 // The reference surface of a mesh where the user has not chosen one: PN triangles, flat ones if the mesh is not recognizably
 // smooth.
-class Default_reference_surface : public Patch_surface<PN_triangle, Kernel>
+class Default_reference_surface
 {
 public:
   template <typename TriangleMesh, typename NamedParameters, typename ConcurrencyTag>
-  Default_reference_surface(const TriangleMesh& tmesh, const NamedParameters& np, const ConcurrencyTag&)
-    : Patch_surface(make_reference_patches<PN_triangle, ConcurrencyTag>(tmesh, np, true))
+  Default_reference_surface(const TriangleMesh& tmesh,
+                            const NamedParameters& np,
+                            Mesh_descriptors<TriangleMesh>& descriptors,
+                            const ConcurrencyTag&)
+    : m_patches(make_reference_patches<PN_triangle, ConcurrencyTag>(tmesh, np, descriptors, true))
   {}
+
+  const Reference_patches<PN_triangle>& patches() const { return m_patches; }
+
+private:
+  Reference_patches<PN_triangle> m_patches;
 };
 
 // Returns f(surface), where `surface` is `reference` itself if it is a model of `ReferenceSurface`, else the default reference
@@ -44,7 +52,10 @@ auto with_reference_surface(const Reference& reference, const NamedParameters& n
   if constexpr(Is_reference_surface<Reference>::value)
     return f(reference);
   else
-    return f(Default_reference_surface(reference, np, ConcurrencyTag()));
+  {
+    Mesh_descriptors<Reference> descriptors;
+    return f(Default_reference_surface(reference, np, descriptors, ConcurrencyTag()));
+  }
 }
 
 // Returns f(access) with what `access_reference()` gives for `reference`, a mesh or a reference surface; `otherwise` if it

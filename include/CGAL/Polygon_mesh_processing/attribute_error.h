@@ -1,0 +1,171 @@
+// Copyright (c) 2026 The Vertex_location_optimization authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POLYGON_MESH_PROCESSING_ATTRIBUTE_ERROR_H
+#define CGAL_POLYGON_MESH_PROCESSING_ATTRIBUTE_ERROR_H
+
+#include <CGAL/Polygon_mesh_processing/approximation_error.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Attributes/measure_attribute.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Attributes/read_signal.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Attributes/with_described_reference.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/named_parameters.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/read_parameters.h>
+
+#include <CGAL/assertions.h>
+#include <CGAL/tags.h>
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Polygon_mesh_processing {
+
+/*!
+ * \ingroup PkgVertexLocationOptimizationRef
+ *
+ * \brief measures the difference between an attribute of a triangle mesh and that of a reference surface: its mean, its root
+ *        mean square, and its maximum.
+ *
+ * At a point of `tmesh` the values of the map, interpolated linearly over the face, are compared with the attribute of the
+ * reference at the closest point. The difference of two values is the Euclidean one, as between points, also for colors,
+ * whose channels go from 0 to 255. The means are taken over the area of `tmesh`, as `approximation_error()` does.
+ *
+ * At a seam of the reference, see `optimize_vertex_attributes()`, a face is compared with the side that its barycenter is
+ * on.
+ *
+ * The result does not depend on the number of threads.
+ *
+ * \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
+ *                        `Parallel_tag`, and `Parallel_if_available_tag`.
+ * \tparam TriangleMesh a model of `VertexListGraph`, `EdgeListGraph`, and `FaceListGraph`
+ * \tparam Reference a model of `VertexListGraph`, `EdgeListGraph`, and `FaceListGraph`, of any type, or a
+ *                   `PN_triangle_surface` or `Flat_triangle_surface`
+ * \tparam ReferenceAttributeMap a class model of `ReadablePropertyMap`. The key type is the vertex or the halfedge
+ *                               descriptor of the mesh that `reference` is or was made from. The value type is a number
+ *                               type, such as `double` or `unsigned char`; `%Point_2`, `%Point_3`, `%Vector_2` or
+ *                               `%Vector_3` of a \cgal kernel; `CGAL::IO::Color`; or a `std::array` of numbers.
+ * \tparam AttributeMap a class model of `ReadablePropertyMap` with
+ *                      `boost::graph_traits<TriangleMesh>::%vertex_descriptor` or
+ *                      `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type, and a value type as above with
+ *                      as many numbers
+ * \tparam NamedParameters1 a sequence of \ref bgl_namedparameters "Named Parameters"
+ * \tparam NamedParameters2 a sequence of \ref bgl_namedparameters "Named Parameters"
+ *
+ * \param tmesh the triangle mesh
+ * \param reference the surface that the attribute belongs to: a triangle mesh, which is taken as a `PN_triangle_surface`, or
+ *                  a reference surface that was made from one
+ * \param reference_attribute_map the attribute of the reference, at its vertices or at the corners of its faces: the value
+ *                                of a halfedge is that of its face at its target
+ * \param attribute_map the attribute of `tmesh`, at its vertices or at the corners of its faces
+ * \param np1 an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{vertex_point_map}
+ *     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with
+ *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
+ *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+ *   \cgalParamNEnd
+ *
+ *   \cgalParamNBegin{geom_traits}
+ *     \cgalParamDescription{an instance of a geometric traits class}
+ *     \cgalParamType{a class model of `Kernel`}
+ *     \cgalParamDefault{a \cgal kernel deduced from the point type, using `CGAL::Kernel_traits`}
+ *     \cgalParamExtra{The geometric traits class must be compatible with the vertex point type. The computations are
+ *                     done in double precision with any kernel.}
+ *   \cgalParamNEnd
+ *
+ *   \cgalParamNBegin{number_of_points_per_face}
+ *     \cgalParamDescription{the number of samples in each face. It is rounded up to six times a square number: there are six
+ *                           samples in each of the congruent triangles that the face is divided into.}
+ *     \cgalParamType{unsigned integer}
+ *     \cgalParamDefault{`64`}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * \param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters": those of the constructor of
+ *            `PN_triangle_surface` if `reference` is a triangle mesh; not used if it is a reference surface
+ *
+ * \pre `CGAL::is_triangle_mesh(tmesh)` and, if `reference` is a mesh, `CGAL::is_triangle_mesh(reference)`
+ * \pre all coordinates are finite
+ * \pre the reference has a face, unless `tmesh` has no vertex
+ * \pre the maps have values for all vertices, or for the halfedges of all faces, which are finite
+ *
+ * \return the error, in the unit of the attribute. Where `tmesh` has no area the mean and the root mean square are `0`, and
+ *         so is the maximum if it has no face. If a precondition is violated and not checked, all three are infinite. They
+ *         are infinite too where numbers are so large that they overflow; never `NaN`.
+ *
+ * \sa `CGAL::Polygon_mesh_processing::optimize_vertex_attributes()`
+ * \sa `CGAL::Polygon_mesh_processing::approximation_error()`
+ */
+template <typename ConcurrencyTag = Sequential_tag,
+          typename TriangleMesh,
+          typename Reference,
+          typename ReferenceAttributeMap,
+          typename AttributeMap,
+          typename NamedParameters1 = parameters::Default_named_parameters,
+          typename NamedParameters2 = parameters::Default_named_parameters>
+Approximation_error attribute_error(const TriangleMesh& tmesh,
+                                    const Reference& reference,
+                                    const ReferenceAttributeMap& reference_attribute_map,
+                                    const AttributeMap& attribute_map,
+                                    const NamedParameters1& np1 = parameters::default_values(),
+                                    const NamedParameters2& np2 = parameters::default_values())
+{
+  using namespace internal::vertex_location;
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+
+  using Attribute = Attribute_value<typename boost::property_traits<AttributeMap>::value_type>;
+  using Reference_attribute = Attribute_value<typename boost::property_traits<ReferenceAttributeMap>::value_type>;
+  constexpr std::size_t dimension = Attribute::dimension;
+  static_assert(dimension > 0 && Reference_attribute::dimension == dimension,
+                "The values of both maps must be numbers, points, vectors, colors or arrays, with as many numbers each.");
+  using Value = Signal_value<dimension>;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  const Approximation_error failure{ infinity, infinity, infinity };
+  Mesh_arrays mesh;
+  Mesh_descriptors<TriangleMesh> descriptors;
+  if(!read_mesh(tmesh, read_vertex_point_map(tmesh, np1), mesh, descriptors))
+    return failure;
+  const std::size_t number_of_points =
+    choose_parameter(get_parameter(np1, internal_np::number_of_points_per_face), default_number_of_points_per_face);
+  bool has_mesh_values = has_all_values(tmesh, descriptors, attribute_map);
+  std::vector<Value> corner_values;
+  if(has_mesh_values)
+    corner_values = read_corner_values<Value>(tmesh, mesh, descriptors, attribute_map,
+                                              [](const auto& x) { return Attribute::to_signal(x); });
+  for(const Value& value : corner_values)
+    has_mesh_values = has_mesh_values && is_finite(value);
+  CGAL_precondition_msg(has_mesh_values, "An attribute of the mesh is missing or not finite.");
+  if(!has_mesh_values)
+    return failure;
+
+  const auto measure = [&](const auto& patches, const auto& in_reference) -> Approximation_error {
+    using Patches = std::decay_t<decltype(patches)>;
+    std::vector<std::array<Value, 3>> patch_values;
+    const bool has_values = read_patch_values(in_reference, reference_attribute_map, patch_values);
+    CGAL_precondition_msg(has_values, "An attribute of the reference is missing or not finite.");
+    if(!has_values)
+      return failure;
+    if(mesh.points.empty())
+      return {};
+
+    const Map_signal<Patches, dimension> signal(patches, std::move(patch_values));
+    const Error_sum error = measure_attribute<ConcurrencyTag>(mesh, corner_values, signal, number_of_points);
+    return { error.mean(), error.rms(), error.max };
+  };
+  return with_described_reference<ConcurrencyTag>(mesh, reference, np2, failure, measure);
+}
+
+} // namespace Polygon_mesh_processing
+} // namespace CGAL
+
+#endif // CGAL_POLYGON_MESH_PROCESSING_ATTRIBUTE_ERROR_H

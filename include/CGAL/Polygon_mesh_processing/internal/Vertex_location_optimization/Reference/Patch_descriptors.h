@@ -1,0 +1,83 @@
+// Copyright (c) 2026 The Vertex_location_optimization authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_PATCH_DESCRIPTORS_H
+#define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_PATCH_DESCRIPTORS_H
+
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/read_mesh.h>
+
+#include <CGAL/boost/graph/iterator.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
+
+// What the patches of a reference surface are in the mesh that it was made from, for maps of that mesh: the surface
+// itself does not refer to it.
+template <typename TriangleMesh>
+class Patch_descriptors
+{
+  using Graph_traits = boost::graph_traits<TriangleMesh>;
+
+public:
+  using vertex_descriptor = typename Graph_traits::vertex_descriptor;
+  using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
+  using face_descriptor = typename Graph_traits::face_descriptor;
+  using Face_location = std::pair<face_descriptor, std::array<double, 3>>;
+
+  Patch_descriptors() = default;
+
+  Patch_descriptors(const TriangleMesh& tmesh, const Mesh_descriptors<TriangleMesh>& descriptors)
+  {
+    const std::size_t n = descriptors.halfedges.size();
+    m_faces.reserve(n);
+    m_corners.reserve(n);
+    m_vertices.reserve(n);
+    m_first_corners.reserve(n);
+    for(const halfedge_descriptor first : descriptors.halfedges)
+    {
+      const halfedge_descriptor second = next(first, tmesh), third = next(second, tmesh);
+      m_faces.push_back(face(first, tmesh));
+      m_corners.push_back({ first, second, third });
+      m_vertices.push_back({ target(first, tmesh), target(second, tmesh), target(third, tmesh) });
+      // the first coordinate of a location is that of the source of the halfedge of the face
+      const std::array<halfedge_descriptor, 3>& corners = m_corners.back();
+      const halfedge_descriptor to_source = prev(halfedge(m_faces.back(), tmesh), tmesh);
+      const auto first_corner = std::find(corners.begin(), corners.end(), to_source);
+      m_first_corners.push_back(static_cast<unsigned char>(first_corner - corners.begin()));
+    }
+  }
+
+  std::size_t size() const { return m_faces.size(); }
+  const face_descriptor& face_of(std::size_t patch) const { return m_faces[patch]; }
+
+  // the vertex at corner k of a patch, and the halfedge of the patch that points to it
+  const vertex_descriptor& vertex(std::size_t patch, int k) const { return m_vertices[patch][k]; }
+  const halfedge_descriptor& corner(std::size_t patch, int k) const { return m_corners[patch][k]; }
+
+  // the location with these barycentric coordinates with respect to the corners of the patch
+  Face_location location(std::size_t patch, const std::array<double, 3>& coordinates) const
+  {
+    Face_location result;
+    result.first = m_faces[patch];
+    for(int k = 0; k < 3; ++k)
+      result.second[k] = (std::max)(0., coordinates[(m_first_corners[patch] + k) % 3]);
+    return result;
+  }
+
+private:
+  std::vector<face_descriptor> m_faces;
+  std::vector<std::array<halfedge_descriptor, 3>> m_corners;
+  std::vector<std::array<vertex_descriptor, 3>> m_vertices;
+  std::vector<unsigned char> m_first_corners;
+};
+
+} // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
+
+#endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_PATCH_DESCRIPTORS_H

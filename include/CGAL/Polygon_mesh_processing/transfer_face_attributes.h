@@ -1,0 +1,132 @@
+// Copyright (c) 2026 The Vertex_location_optimization authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POLYGON_MESH_PROCESSING_TRANSFER_FACE_ATTRIBUTES_H
+#define CGAL_POLYGON_MESH_PROCESSING_TRANSFER_FACE_ATTRIBUTES_H
+
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Attributes/attribute_maps.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Attributes/choose_labels.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Attributes/with_described_reference.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/named_parameters.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/read_parameters.h>
+
+#include <CGAL/assertions.h>
+#include <CGAL/tags.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Polygon_mesh_processing {
+
+/*!
+ * \ingroup PkgVertexLocationOptimizationRef
+ *
+ * \brief gives each face of a triangle mesh the value that most of it has on a reference surface, for example a material or
+ *        the id of a patch.
+ *
+ * Ids and labels cannot be averaged. Each face is sampled, and gets the value that is met most often at the closest points
+ * of the reference. The borders between regions of the same value so end up on the edges of `tmesh` that are nearest to
+ * them.
+ *
+ * The result does not depend on the number of threads.
+ *
+ * It takes \cgalBigO{(n + m) \log m} time for \f$ n \f$ vertices and a reference of \f$ m \f$ faces.
+ *
+ * \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
+ *                        `Parallel_tag`, and `Parallel_if_available_tag`.
+ * \tparam TriangleMesh a model of `VertexListGraph`, `EdgeListGraph`, and `FaceListGraph`
+ * \tparam Reference a model of `VertexListGraph`, `EdgeListGraph`, and `FaceListGraph`, of any type, or a
+ *                   `PN_triangle_surface` or `Flat_triangle_surface`
+ * \tparam ReferenceFaceMap a class model of `ReadablePropertyMap`. The key type is the face descriptor of the mesh that
+ *                          `reference` is or was made from, and the value type is a model of `EqualityComparable` and
+ *                          `CopyConstructible`.
+ * \tparam FaceMap a class model of `WritablePropertyMap` with `boost::graph_traits<TriangleMesh>::%face_descriptor` as key
+ *                 type and a value type to which that of `ReferenceFaceMap` is convertible
+ * \tparam NamedParameters1 a sequence of \ref bgl_namedparameters "Named Parameters"
+ * \tparam NamedParameters2 a sequence of \ref bgl_namedparameters "Named Parameters"
+ *
+ * \param tmesh the triangle mesh
+ * \param reference the surface that the attribute belongs to: a triangle mesh, which is taken as a `PN_triangle_surface`, or
+ *                  a reference surface that was made from one
+ * \param reference_face_map the values of the faces of the reference
+ * \param face_map receives the values of the faces of `tmesh`
+ * \param np1 an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{vertex_point_map}
+ *     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with
+ *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
+ *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+ *   \cgalParamNEnd
+ *
+ *   \cgalParamNBegin{geom_traits}
+ *     \cgalParamDescription{an instance of a geometric traits class}
+ *     \cgalParamType{a class model of `Kernel`}
+ *     \cgalParamDefault{a \cgal kernel deduced from the point type, using `CGAL::Kernel_traits`}
+ *     \cgalParamExtra{The geometric traits class must be compatible with the vertex point type. The computations are
+ *                     done in double precision with any kernel.}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * \param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters": those of the constructor of
+ *            `PN_triangle_surface` if `reference` is a triangle mesh; not used if it is a reference surface
+ *
+ * \pre `CGAL::is_triangle_mesh(tmesh)` and, if `reference` is a mesh, `CGAL::is_triangle_mesh(reference)`
+ * \pre all coordinates are finite
+ * \pre the reference has a face, unless `tmesh` has no face
+ * \pre the maps have values for all faces
+ *
+ * If a precondition is violated and not checked, `face_map` is untouched.
+ *
+ * \sa `CGAL::Polygon_mesh_processing::optimize_vertex_attributes()`
+ */
+template <typename ConcurrencyTag = Sequential_tag,
+          typename TriangleMesh,
+          typename Reference,
+          typename ReferenceFaceMap,
+          typename FaceMap,
+          typename NamedParameters1 = parameters::Default_named_parameters,
+          typename NamedParameters2 = parameters::Default_named_parameters>
+void transfer_face_attributes(const TriangleMesh& tmesh,
+                              const Reference& reference,
+                              const ReferenceFaceMap& reference_face_map,
+                              FaceMap face_map,
+                              const NamedParameters1& np1 = parameters::default_values(),
+                              const NamedParameters2& np2 = parameters::default_values())
+{
+  using namespace internal::vertex_location;
+
+  Mesh_arrays mesh;
+  Mesh_descriptors<TriangleMesh> descriptors;
+  if(!read_mesh(tmesh, read_vertex_point_map(tmesh, np1), mesh, descriptors))
+    return;
+  bool is_map_of_mesh = true;
+  for(auto h : descriptors.halfedges)
+    is_map_of_mesh = is_map_of_mesh && has_value_for(face_map, face(h, tmesh));
+  CGAL_precondition_msg(is_map_of_mesh, "The map is not one of the faces of the mesh.");
+  if(!is_map_of_mesh || mesh.number_of_faces() == 0)
+    return;
+
+  with_described_reference<ConcurrencyTag>(mesh, reference, np2, false, [&](const auto& patches, const auto& in_reference) {
+    std::vector<Label<typename boost::property_traits<ReferenceFaceMap>::value_type>> labels;
+    const bool has_labels = read_labels(in_reference, reference_face_map, labels);
+    CGAL_precondition_msg(has_labels, "A face of the reference has no value.");
+    if(!has_labels)
+      return false;
+
+    const std::vector<Index> chosen =
+      choose_labels<ConcurrencyTag>(mesh, patches, [&](Index a, Index b) { return labels[a].value == labels[b].value; });
+    for(std::size_t f = 0; f < chosen.size(); ++f)
+      put(face_map, face(descriptors.halfedges[f], tmesh), labels[chosen[f]].value);
+    return true;
+  });
+}
+
+} // namespace Polygon_mesh_processing
+} // namespace CGAL
+
+#endif // CGAL_POLYGON_MESH_PROCESSING_TRANSFER_FACE_ATTRIBUTES_H

@@ -63,7 +63,7 @@ need_packages()
   LC_ALL=C apt-get install --assume-no --no-install-recommends -o Debug::NoLocking=1 "${missing[@]}" 2> /dev/null |
     sed -n 's/^.* upgraded, \([0-9]*\) newly installed.*/  with what they need: \1 packages/p
             s/^Need to get \(.*\) of archives\./  to download: \1/p
-            s/^After this operation, \(.*\) of additional.*/  on disk: \1/p'
+            s/^After this operation, \(.*\) of additional.*/  on disk: \1/p' || true # "no" is an error of apt-get
   quietly as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends "${missing[@]}"
 }
 

@@ -67,8 +67,7 @@ public:
   {
     double distance2;
     Foot foot = m_tree.project_to_patch(query, approach(query, hint.patch), distance2);
-    while(step_to_neighbor(query, foot, distance2))
-      ;
+    walk([&] { return step_to_neighbor(query, foot, distance2); }, foot, distance2);
     return foot;
   }
 
@@ -89,8 +88,7 @@ public:
       const Feet feet = feet_at(foot, can_cross);
       return std::any_of(feet.begin(), feet.end(), step);
     };
-    while(step_around())
-      ;
+    walk(step_around, foot, distance2);
     return foot;
   }
 
@@ -224,6 +222,18 @@ private:
     mu[(corner + 1) % 3] = lambda[(k + 2) % 3];
     mu[(corner + 2) % 3] = lambda[(k + 1) % 3];
     return { corner / 3, { mu[1], mu[2] } };
+  }
+
+  // Takes steps, which set the foot and its squared distance, as long as they lead closer. Around a vertex at the query
+  // rounding errors lead on and on: once the distance is negligible nothing is gained.
+  template <typename Step>
+  void walk(const Step& step, const Foot& foot, const double& squared_distance) const
+  {
+    constexpr int enough_steps = 16;
+    constexpr double negligible = 1e-28; // relative to the area of a patch
+    for(int number = 0; step(); ++number)
+      if(number >= enough_steps && squared_distance < negligible * m_tree.patch(foot.patch).area())
+        return;
   }
 
   bool step_to_neighbor(const Point& query, Foot& foot, double& squared_distance) const

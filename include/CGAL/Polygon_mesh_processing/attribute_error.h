@@ -73,14 +73,6 @@ namespace Polygon_mesh_processing {
  *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
  *   \cgalParamNEnd
  *
- *   \cgalParamNBegin{geom_traits}
- *     \cgalParamDescription{an instance of a geometric traits class}
- *     \cgalParamType{a class model of `Kernel`}
- *     \cgalParamDefault{a \cgal kernel deduced from the point type, using `CGAL::Kernel_traits`}
- *     \cgalParamExtra{The geometric traits class must be compatible with the vertex point type. The computations are
- *                     done in double precision with any kernel.}
- *   \cgalParamNEnd
- *
  *   \cgalParamNBegin{number_of_points_per_face}
  *     \cgalParamDescription{the number of samples in each face. It is rounded up to six times a square number: there are six
  *                           samples in each of the congruent triangles that the face is divided into.}

@@ -14,7 +14,8 @@ namespace Polygon_mesh_processing {
  *
  * \brief How `CGAL::Polygon_mesh_processing::optimize_vertex_locations()` places a vertex among its samples.
  *
- * The placement of \ref PkgSurfaceMeshSimplification is another one, that of the vertex that a collapsed edge becomes.
+ * The placement of the package Triangulated Surface Mesh Simplification is another one: that of the vertex which a
+ * collapsed edge becomes.
  */
 enum Placement_method
 {

@@ -109,7 +109,11 @@ void test_between_samples()
       const auto report = PMP::optimize_vertex_locations(mesh, surface, CGAL::parameters::visitor(std::ref(visitor)));
       CHECK_EQUAL(report.iterations, iterations);
       CHECK(points_of(mesh) != points_of(remesh));
-      CHECK_AT_MOST(largest_error(mesh), before);
+      // on handle it stays: the vertices of the face that has it are put back
+      if(name == "handle")
+        CHECK_AT_MOST(largest_error(mesh), before);
+      else
+        CHECK_LESS(largest_error(mesh), before);
     }
   }
 }

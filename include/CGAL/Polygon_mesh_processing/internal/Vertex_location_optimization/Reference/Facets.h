@@ -18,7 +18,11 @@ namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 // the surface.
 struct Facets
 {
-  bool have_in_common(Index f, Index g) const { return of_face[f] == of_face[g]; }
+  // whether edge e is inside a facet
+  bool contain(const Mesh_arrays& mesh, std::size_t e) const
+  {
+    return !mesh.is_border(e) && of_face[mesh.edge_corners[e][0] / 3] == of_face[mesh.edge_corners[e][1] / 3];
+  }
 
   std::vector<Index> of_face; // one face of the facet stands for all
   std::vector<double> area;   // of the facet of each face

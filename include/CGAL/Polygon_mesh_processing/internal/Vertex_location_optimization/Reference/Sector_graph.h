@@ -87,7 +87,7 @@ private:
       return;
 
     const auto [c, other] = mesh.edge_corners[e];
-    const bool is_in_facet = !mesh.is_border(e) && facets.have_in_common(c / 3, other / 3);
+    const bool is_in_facet = facets.contain(mesh, e);
     for(Index corner : { c, other })
     {
       if(corner == no_index)

@@ -25,11 +25,6 @@ struct Boundary_curve
   std::array<bool, 2> is_limited{ { false, false } };            // whether the tangent planes ask for more
 };
 
-inline bool is_in_facet(const Mesh_arrays& mesh, const Facets& facets, const Index e)
-{
-  return !mesh.is_border(e) && facets.have_in_common(mesh.edge_corners[e][0] / 3, mesh.edge_corners[e][1] / 3);
-}
-
 // The offset of the control point near the end `from` of the edge `to - from`, by which the curve is tangent to the planes
 // with the given normals, those of both sides of the edge.
 inline Vector tangential_offset(const Vector& edge, const Vector& normal, const Vector& normal_across)
@@ -150,7 +145,7 @@ inline Vector boundary_tangent(const Mesh_arrays& mesh,
   {
     const Index far = forward ? Mesh_arrays::previous(c) : Mesh_arrays::next(c);
     const Index e = mesh.opposite_edge(forward ? Mesh_arrays::next(c) : Mesh_arrays::previous(c));
-    if(!is_in_facet(mesh, facets, e))
+    if(!facets.contain(mesh, e))
     {
       const int end = mesh.edges[e][0] == mesh.vertex(c) ? 0 : 1;
       is_limited = is_limited || curves[e].is_limited[end];
@@ -179,7 +174,7 @@ Patch_boundaries compute_patch_boundaries(const Mesh_arrays& mesh,
 {
   std::vector<Boundary_curve> curves(mesh.edges.size());
   for_each_index<ConcurrencyTag>(curves.size(), [&](std::size_t e) {
-    if(!is_in_facet(mesh, facets, static_cast<Index>(e)))
+    if(!facets.contain(mesh, e))
       curves[e] = make_boundary_curve(mesh, graph, sector_normals, e);
   });
 
@@ -194,7 +189,7 @@ Patch_boundaries compute_patch_boundaries(const Mesh_arrays& mesh,
   });
 
   for_each_index<ConcurrencyTag>(curves.size(), [&](std::size_t e) {
-    if(!is_in_facet(mesh, facets, static_cast<Index>(e)))
+    if(!facets.contain(mesh, e))
       return;
     const Index corner = mesh.edge_corners[e][0];
     for(Index c : { Mesh_arrays::next(corner), Mesh_arrays::previous(corner) })

@@ -112,8 +112,8 @@ inline bool is_recognizably_smooth(const Mesh_arrays& mesh, const std::vector<ch
   return length_of_creases <= largest_part * length;
 }
 
-// The reference surface of `tmesh`, whose faces are the patches; an empty one if `tmesh` is unsuitable. If `flat_unless_smooth`, the patches of a mesh
-// that is not recognizably smooth are flat.
+// The reference surface of `tmesh`, whose faces are the patches; an empty one if `tmesh` is unsuitable. If
+// `flat_unless_smooth`, the patches of a mesh that is not recognizably smooth are flat.
 template <typename Patch, typename ConcurrencyTag, typename TriangleMesh, typename NamedParameters>
 Reference_patches<Patch> make_reference_patches(const TriangleMesh& tmesh,
                                                 const NamedParameters& np,

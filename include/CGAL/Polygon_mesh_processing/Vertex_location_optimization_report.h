@@ -48,6 +48,25 @@ struct Reference_surface_summary
 /*!
  * \ingroup PkgVertexLocationOptimizationRef
  *
+ * \brief How far a triangle mesh is from a reference surface, in the unit of the input.
+ *
+ * \sa `CGAL::Polygon_mesh_processing::approximation_error()`
+ */
+struct Approximation_error
+{
+  /// the mean of the distance over the area of the mesh
+  double mean = 0;
+
+  /// the root of the mean of the squared distance over the area of the mesh
+  double rms = 0;
+
+  /// the largest distance
+  double max = 0;
+};
+
+/*!
+ * \ingroup PkgVertexLocationOptimizationRef
+ *
  * \brief What an optimization did.
  *
  * \sa `CGAL::Polygon_mesh_processing::optimize_vertex_locations()`
@@ -63,9 +82,29 @@ struct Vertex_location_optimization_report
   /// how far the vertex that moved farthest in the last iteration moved, in the unit of the input
   double displacement = 0;
 
-  /// the number of vertices whose moves were shortened, so that no face is flipped or collapses
-  /// and nothing gets worse
+  /// the number of vertices that are not where they were
+  std::size_t moved_vertices = 0;
+
+  /// the number of vertices whose moves were shortened, in an iteration or at the end
   std::size_t corrected_vertices = 0;
+
+  /// those among them without which a face would have flipped, collapsed, or been folded sharply
+  std::size_t corrected_for_shape = 0;
+
+  /// those without which the distance between the surfaces would be larger than before
+  std::size_t corrected_for_error = 0;
+
+  /// those without which two faces would intersect that did not before
+  std::size_t corrected_for_intersection = 0;
+
+  /// those whose moves the user has refused
+  std::size_t refused_vertices = 0;
+
+  /// the distance of the mesh to the reference before and after, as the guarantee measures it
+  Approximation_error initial_error, final_error;
+
+  /// the distance of the reference to the mesh before and after; `0` unless both directions are guaranteed
+  Approximation_error initial_error_from_reference, final_error_from_reference;
 
   /// the surface to which the mesh was fitted
   Reference_surface_summary reference;

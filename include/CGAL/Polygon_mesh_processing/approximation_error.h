@@ -13,6 +13,7 @@
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/named_parameters.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/read_mesh.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/read_parameters.h>
+#include <CGAL/Polygon_mesh_processing/Vertex_location_optimization_report.h>
 
 #include <CGAL/tags.h>
 
@@ -21,25 +22,6 @@
 
 namespace CGAL {
 namespace Polygon_mesh_processing {
-
-/*!
- * \ingroup PkgVertexLocationOptimizationRef
- *
- * \brief How far a triangle mesh is from a reference surface, in the unit of the input.
- *
- * \sa `CGAL::Polygon_mesh_processing::approximation_error()`
- */
-struct Approximation_error
-{
-  /// the mean of the distance over the area of the mesh
-  double mean = 0;
-
-  /// the root of the mean of the squared distance over the area of the mesh
-  double rms = 0;
-
-  /// the largest distance
-  double max = 0;
-};
 
 /*!
  * \ingroup PkgVertexLocationOptimizationRef

@@ -66,6 +66,15 @@ struct Remesh : Mesh_arrays
     return std::sqrt(largest2);
   }
 
+  // since M_0
+  std::size_t number_of_moved_vertices() const
+  {
+    std::size_t number = 0;
+    for(std::size_t i = 0; i < points.size(); ++i)
+      number += points[i] != initial_points[i];
+    return number;
+  }
+
   // goes on to M_t+1; `next_points` are to be set then
   void advance()
   {

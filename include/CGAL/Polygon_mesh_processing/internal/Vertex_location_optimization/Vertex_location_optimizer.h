@@ -15,6 +15,7 @@
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Remesh.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <utility>
@@ -40,7 +41,8 @@ public:
                             Remesh& remesh)
     : m_reference(reference), m_options(options), m_allow_move(allow_move),
       m_find_self_intersections(find_self_intersections), m_visitor(visitor), m_remesh(remesh),
-      m_is_corrected(remesh.points.size())
+      m_smallest_angles(remesh),
+      m_corrections(remesh.points.size())
   {}
 
   Report run(std::unique_ptr<Placement<Reference>> placement)
@@ -54,12 +56,21 @@ public:
     // also if the visitor has ended the iterations: what they have reached is no result before it is checked
     m_visitor.start_phase(Phase::ENFORCE_GUARANTEE);
     auto samples = std::move(placement->samples()).take_offsets();
+    Area_samples area_samples;
+    if(m_options.guarantee_both_directions)
+      area_samples = std::move(placement->area_samples());
     placement.reset();
     Guarantee<ConcurrencyTag, Reference, AllowMove, FindSelfIntersections> guarantee(
-      m_reference, m_initial_quality, std::move(samples), m_allow_move, m_find_self_intersections, m_remesh, m_is_corrected);
+      m_reference, m_initial_quality, m_smallest_angles, std::move(samples), std::move(area_samples), m_allow_move, m_find_self_intersections,
+      m_remesh, m_corrections);
     guarantee.enforce();
+    m_report.initial_error = m_initial_quality.error;
+    m_report.final_error = guarantee.error();
+    m_report.initial_error_from_reference = m_initial_quality.error_from_reference;
+    m_report.final_error_from_reference = guarantee.error_from_reference();
     m_remesh.advance();
     count_corrected_vertices();
+    m_report.moved_vertices = m_remesh.number_of_moved_vertices();
     return m_report;
   }
 
@@ -111,17 +122,20 @@ private:
 
     if(!start_phase(Phase::CORRECT_FLIPS))
       return false;
-    correct_flips();
+    correct_flips(placement.samples());
     return true;
   }
 
-  void correct_flips()
+  void correct_flips(const Remesh_samples<Reference>& samples)
   {
     keep_points_finite();
-    Flip_criterion criterion(m_remesh);
+    Flip_criterion criterion(m_remesh, m_smallest_angles, [&](std::size_t f) {
+      const std::array<Index, 3>& v = m_remesh.face(f);
+      return normalized(samples.vertices.normal(v[0]) + samples.vertices.normal(v[1]) + samples.vertices.normal(v[2]));
+    });
     do
-      shorten_moves<ConcurrencyTag>(m_remesh, m_remesh.points, criterion, m_is_corrected);
-    while(refuse_moves(m_remesh, m_remesh.points, m_allow_move));
+      shorten_moves<ConcurrencyTag>(m_remesh, m_remesh.points, criterion, m_corrections);
+    while(refuse_moves(m_remesh, m_remesh.points, m_allow_move, m_corrections));
   }
 
   // where coordinates are so large that their products overflow
@@ -161,7 +175,11 @@ private:
 
   void count_corrected_vertices()
   {
-    m_report.corrected_vertices = std::count(m_is_corrected.begin(), m_is_corrected.end(), true);
+    m_report.corrected_vertices = m_corrections.count();
+    m_report.corrected_for_shape = m_corrections.count(Correction::SHAPE);
+    m_report.corrected_for_error = m_corrections.count(Correction::ERROR);
+    m_report.corrected_for_intersection = m_corrections.count(Correction::INTERSECTION);
+    m_report.refused_vertices = m_corrections.count(Correction::REFUSAL);
   }
 
   const Reference& m_reference;
@@ -171,7 +189,8 @@ private:
   Visitor& m_visitor;
   Remesh& m_remesh;
   Initial_quality m_initial_quality;
-  std::vector<bool> m_is_corrected;
+  const Smallest_angles m_smallest_angles;
+  Corrections m_corrections;
   bool m_has_settled = false; // the vertices have not moved farther than the threshold
   Report m_report;
 };

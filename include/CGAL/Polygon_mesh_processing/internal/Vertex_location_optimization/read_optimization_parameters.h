@@ -49,6 +49,8 @@ Optimization_options read_options(const NamedParameters& np)
     choose_parameter(get_parameter(np, internal_np::do_self_intersection_tests), options.do_self_intersection_tests);
   options.regularity_weight =
     to_double(choose_parameter(get_parameter(np, internal_np::regularity_weight), options.regularity_weight));
+  options.guarantee_both_directions =
+    choose_parameter(get_parameter(np, internal_np::guarantee_both_directions), options.guarantee_both_directions);
   return options;
 }
 

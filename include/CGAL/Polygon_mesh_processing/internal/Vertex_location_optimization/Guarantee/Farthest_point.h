@@ -7,14 +7,26 @@
 #define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_FARTHEST_POINT_H
 
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/Reference_access.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Remesh.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/geometry.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/triangle_coordinates.h>
 
+#include <boost/container/small_vector.hpp>
+#include <boost/range/irange.hpp>
+
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <utility>
+#include <vector>
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
-// Finds the point of a triangle that is farthest from the reference.
+// Finds the point of a triangle that is farthest from the reference, by branch and bound: the triangle is cut into parts, and
+// those that cannot have a distance above the largest one known are discarded. How much larger than in its corners the
+// distance can be inside a part follows from its slopes, as measured there and in the part that it was cut from: the
+// distance is smooth, or at least the slopes of its pieces are of the same size.
 template <typename Reference>
 class Farthest_point
 {
@@ -22,77 +34,154 @@ class Farthest_point
   using Triangle = std::array<Point, 3>;
 
 public:
-  struct Result
-  {
-    double distance;
-    Coordinates coordinates; // in the triangle
-    Foot foot;
-  };
-
-  static constexpr int default_level = 8; // 45 points
-
   explicit Farthest_point(const Reference& reference) : m_reference(reference) {}
 
-  // The best of a lattice, with `level` + 1 points on each side. `hint` is for the corner 0.
-  Result of_lattice(const Triangle& t, const Foot& hint, const int level = default_level) const
+  // The largest distance of a triangle if that is larger than `bound`; otherwise `bound`. `hint` is the foot of a point
+  // nearby. With `is_any_enough` it is not the largest distance, but one that is larger than `bound`.
+  double operator()(const Triangle& t, const Foot& hint, const double bound, const bool is_any_enough = false) const
   {
-    return of_lattice(t, hint, level, [&](const Point& p, const Foot& h) { return m_reference.project(p, h); });
-  }
-
-  // The same, but the distances may be too large, as the closest points are only searched around the last ones.
-  Result of_lattice_by_walking(const Triangle& t, const Foot& hint, const int level) const
-  {
-    return of_lattice(t, hint, level, [&](const Point& p, const Foot& h) { return m_reference.project_locally(p, h); });
-  }
-
-  // The point to which climbing from that on the lattice leads.
-  Result by_climbing(const Triangle& t, const Foot& hint, const int level = default_level) const
-  {
-    constexpr int number_of_halvings = 5; // of the step: down to 1/64 of that of the lattice
-    Result best = of_lattice(t, hint, level);
-    double step = 0.5 / level;
-    for(int i = 0; i < number_of_halvings; ++i, step /= 2)
+    const double size = radius(t);
+    const int min_level = level_of_reference(t, hint);
+    Part whole{ { sample(t, { 0, 0 }, hint), sample(t, { 1, 0 }, hint), sample(t, { 0, 1 }, hint) }, 1, 0 };
+    double largest = bound;
+    const auto is_done = [&] { return is_any_enough && largest > bound; };
+    boost::container::small_vector<Part, 64> parts{ whole };
+    for(const Sample& corner : whole.corners)
+      largest = (std::max)(largest, corner.distance);
+    while(!parts.empty() && !is_done())
     {
-      const Result center = best;
-      for(const auto& [u, v] :
-          { std::pair(1, 0), std::pair(0, 1), std::pair(-1, 1), std::pair(-1, 0), std::pair(0, -1), std::pair(1, -1) })
+      const Part part = parts.back();
+      parts.pop_back();
+      if(part.level >= min_level && upper_bound(part, size) <= (1 + tolerance) * largest)
+        continue;
+      for(const Part& child : cut(t, part))
       {
-        const Coordinates x{ center.coordinates.u + step * u, center.coordinates.v + step * v };
-        if(x.u < 0 || x.v < 0 || x.u + x.v > 1)
-          continue;
-        const Point p = point_at(t, x);
-        const Foot foot = m_reference.project(p, center.foot);
-        const double distance = distance_to_foot(p, m_reference, foot);
-        if(distance > best.distance)
-          best = { distance, x, foot };
+        for(const Sample& corner : child.corners)
+          largest = (std::max)(largest, corner.distance);
+        if(child.level < max_level)
+          parts.push_back(child);
       }
     }
-    return best;
+    return largest;
   }
 
 private:
-  // From row to row it goes to and fro: each foot is a hint for the next.
-  template <typename Project>
-  Result of_lattice(const Triangle& t, const Foot& hint, const int level, const Project& project) const
+  static constexpr double tolerance = 0.002; // of the result; it saves the last few parts
+  static constexpr int max_level = 6;        // a part of that level is 1/64 as long as the triangle
+
+  struct Sample
   {
-    Foot foot = hint;
-    Result best{ -1, barycenter_coordinates, foot };
-    for(int i = 0; i <= level; ++i)
-      for(int k = 0; k <= level - i; ++k)
-      {
-        const int j = i % 2 == 0 ? k : level - i - k;
-        const Coordinates x{ double(i) / level, double(j) / level };
-        const Point p = point_at(t, x);
-        foot = project(p, foot);
-        const double distance = distance_to_foot(p, m_reference, foot);
-        if(distance > best.distance)
-          best = { distance, x, foot };
-      }
-    return best;
+    Coordinates coordinates; // in the triangle
+    Foot foot;
+    double distance;
+  };
+
+  struct Part
+  {
+    std::array<Sample, 3> corners;
+    double slope; // that the distance may have in it
+    int level;    // how often it was cut
+  };
+
+  // How often a triangle must be cut until its parts are no larger than the patches of the reference: before, a peak of the
+  // reference may be between the corners of a part.
+  int level_of_reference(const Triangle& t, const Foot& hint) const
+  {
+    constexpr int max_level_of_reference = 3; // it trades time for peaks of references that are much finer than the remesh
+    const double patch_area = m_reference.area_at(hint);
+    double area = norm(area_normal(t[0], t[1], t[2])) / 2;
+    int level = 1;
+    for(; level < max_level_of_reference && patch_area > 0 && area > 4 * patch_area; area /= 4)
+      ++level;
+    return level;
   }
+
+  // how far the points of a triangle are from its nearest corner at most, roughly: exactly if it is equilateral
+  static double radius(const Triangle& t)
+  {
+    return std::sqrt((std::max)({ squared_distance(t[0], t[1]), squared_distance(t[1], t[2]), squared_distance(t[2], t[0]) }) / 3);
+  }
+
+  static double upper_bound(const Part& part, const double size)
+  {
+    const auto& c = part.corners;
+    return (std::max)({ c[0].distance, c[1].distance, c[2].distance }) + part.slope * std::ldexp(size, -part.level);
+  }
+
+  Sample sample(const Triangle& t, const Coordinates& x, const Foot& hint) const
+  {
+    const Point p = point_at(t, x);
+    const Foot foot = m_reference.project(p, hint);
+    return { x, foot, distance_to_foot(p, m_reference, foot) };
+  }
+
+  // the four triangles between the corners of a part and the midpoints of its sides
+  std::array<Part, 4> cut(const Triangle& t, const Part& part) const
+  {
+    const std::array<Sample, 3>& c = part.corners;
+    const auto middle = [&](const Sample& a, const Sample& b) {
+      return sample(t, { (a.coordinates.u + b.coordinates.u) / 2, (a.coordinates.v + b.coordinates.v) / 2 }, a.foot);
+    };
+    const std::array<Sample, 3> m{ { middle(c[1], c[2]), middle(c[2], c[0]), middle(c[0], c[1]) } };
+    std::array<Part, 4> children{ { { { { c[0], m[2], m[1] } }, 0, 0 },
+                                    { { { m[2], c[1], m[0] } }, 0, 0 },
+                                    { { { m[1], m[0], c[2] } }, 0, 0 },
+                                    { { { m[0], m[1], m[2] } }, 0, 0 } } };
+    double steepest = 0;
+    for(Part& child : children)
+    {
+      child.level = part.level + 1;
+      child.slope = safety * slope(t, child);
+      steepest = (std::max)(steepest, child.slope);
+    }
+    // where the distance is smooth its slopes change by half as much over half the length
+    const double inherited = part.level == 0 ? steepest : part.slope / 2;
+    for(Part& child : children)
+      child.slope = std::clamp(child.slope, (std::min)(inherited, 1.), 1.);
+    return children;
+  }
+
+  // the largest slope along the sides of a part
+  static double slope(const Triangle& t, const Part& part)
+  {
+    double result = 0;
+    for(int k = 0; k < 3; ++k)
+    {
+      const Sample &a = part.corners[k], &b = part.corners[(k + 1) % 3];
+      const double length = std::sqrt(squared_distance(point_at(t, a.coordinates), point_at(t, b.coordinates)));
+      if(length > 0)
+        result = (std::max)(result, std::abs(a.distance - b.distance) / length);
+    }
+    return result;
+  }
+
+  static constexpr double safety = 1.5; // it trades time for what may be missed between the corners
 
   const Reference& m_reference;
 };
+
+// The largest distance of the faces with the largest samples, with the vertices at `points`.
+template <typename Reference, typename SampledMaximum, typename Hint>
+double largest_distance(const Reference& reference,
+                        const Remesh& remesh,
+                        const std::vector<Point>& points,
+                        const SampledMaximum& sampled_maximum,
+                        const Hint& hint)
+{
+  constexpr int max_faces = 64; // it trades time for a maximum that is elsewhere
+  const auto all = boost::irange<std::size_t>(0, remesh.number_of_faces());
+  std::array<std::size_t, max_faces> faces;
+  const auto end =
+    std::partial_sort_copy(all.begin(), all.end(), faces.begin(), faces.end(), [&](std::size_t f, std::size_t g) {
+      return std::make_pair(-sampled_maximum(f), f) < std::make_pair(-sampled_maximum(g), g);
+    });
+
+  const Farthest_point<Reference> farthest(reference);
+  double maximum = 0;
+  for(auto f = faces.begin(); f != end; ++f)
+    maximum = farthest(remesh.triangle(*f, points), hint(*f), maximum);
+  return maximum;
+}
 
 } // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
 

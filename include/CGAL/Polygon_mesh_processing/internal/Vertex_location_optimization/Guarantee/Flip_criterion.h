@@ -12,21 +12,68 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
+// What the faces must not become less than: the smallest angles of M_0.
+class Smallest_angles
+{
+public:
+  explicit Smallest_angles(const Mesh_arrays& mesh) : m_at_vertices(mesh.points.size(), 1)
+  {
+    constexpr float sine_of_collapse = 0.17364818f; // of 10 degrees
+    float smallest = 1;
+    for(std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+    {
+      const float sine2 = static_cast<float>(squared_sine(mesh.triangle(f)));
+      smallest = (std::min)(smallest, sine2);
+      for(Index i : mesh.face(f))
+        m_at_vertices[i] = (std::min)(m_at_vertices[i], sine2);
+    }
+    m_threshold = (std::max)(square(sine_of_collapse), squared_sine_of_half(smallest));
+  }
+
+  // Whether face f with its corners at `t` has collapsed: to a smallest angle below 10 degrees, or below half of the
+  // smallest of the mesh if that is larger; below half of what it was; and below those of all faces at its vertices.
+  bool have_collapsed(const std::array<Index, 3>& face, const double sine2, const double initial_sine2) const
+  {
+    return sine2 < m_threshold && sine2 < squared_sine_of_half(initial_sine2) &&
+           std::all_of(face.begin(), face.end(), [&](Index i) { return sine2 < m_at_vertices[i]; });
+  }
+
+  // the squared sine of the smallest angle, which is between the two longest sides; not a number if these have no length
+  static double squared_sine(const std::array<Point, 3>& t)
+  {
+    const double a = squared_distance(t[0], t[1]), b = squared_distance(t[1], t[2]), c = squared_distance(t[2], t[0]);
+    return area_normal(t[0], t[1], t[2]).squared_length() / (std::max)({ a * b, b * c, c * a });
+  }
+
+private:
+  template <typename FT>
+  static FT squared_sine_of_half(FT sine2)
+  {
+    return sine2 / (2 * (1 + std::sqrt((std::max)(FT(0), 1 - sine2))));
+  }
+
+  std::vector<float> m_at_vertices; // the squared sine of the smallest angle of the faces at each vertex
+  float m_threshold;
+};
+
 // A face violates it if it is flipped: the next points turn its normal by more than 60 degrees from that of the initial
-// ones; or if it collapses: its smallest angle falls below 10 degrees and below half of the initial one. A face without an
-// area at first never does. A model of the criteria of `shorten_moves()`.
+// ones, and not to that of the reference; or if it collapses. A face without an area at first never does.
+// `ReferenceNormal` is a functor f -> the normal of the reference at face f. A model of the criteria of `shorten_moves()`.
+template <typename ReferenceNormal>
 class Flip_criterion
 {
 public:
-  explicit Flip_criterion(const Remesh& remesh) : m_remesh(remesh) {}
+  Flip_criterion(const Remesh& remesh, const Smallest_angles& angles, const ReferenceNormal& reference_normal)
+    : m_remesh(remesh), m_angles(angles), m_reference_normal(reference_normal)
+  {}
 
   bool is_violated_by(std::size_t f) const
   {
     constexpr double cosine_of_flip = 0.5;
-    constexpr double sine_of_collapse = 0.17364817766693036; // of 10 degrees
 
     const std::array<Point, 3> before = m_remesh.triangle(f, m_remesh.initial_points),
                                after = m_remesh.triangle(f, m_remesh.next_points);
@@ -34,28 +81,19 @@ public:
     const double area_before = norm(m), area_after = norm(n);
     if(!(area_before > 0))
       return false;
-    if(!(m * n > cosine_of_flip * area_before * area_after))
+    if(!(m * n > cosine_of_flip * area_before * area_after) &&
+       !(m_reference_normal(f) * n > cosine_of_flip * area_after))
       return true;
-
-    const double squared_sine = squared_sine_of_smallest_angle(after, area_after);
-    if(squared_sine >= square(sine_of_collapse))
-      return false;
-    const double squared_sine_before = squared_sine_of_smallest_angle(before, area_before);
-    const double cosine_before = std::sqrt((std::max)(0., 1 - squared_sine_before));
-    return squared_sine < squared_sine_before / (2 * (1 + cosine_before)); // of half the angle
+    return m_angles.have_collapsed(m_remesh.face(f), Smallest_angles::squared_sine(after),
+                                   Smallest_angles::squared_sine(before));
   }
 
   void update(std::size_t) {}
 
 private:
-  // the smallest angle is between the two longest sides
-  static double squared_sine_of_smallest_angle(const std::array<Point, 3>& t, const double twice_area)
-  {
-    const double a = squared_distance(t[0], t[1]), b = squared_distance(t[1], t[2]), c = squared_distance(t[2], t[0]);
-    return square(twice_area) / (std::max)({ a * b, b * c, c * a });
-  }
-
   const Remesh& m_remesh;
+  const Smallest_angles& m_angles;
+  const ReferenceNormal m_reference_normal;
 };
 
 } // namespace CGAL::Polygon_mesh_processing::internal::vertex_location

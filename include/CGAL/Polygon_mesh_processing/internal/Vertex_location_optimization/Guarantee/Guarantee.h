@@ -6,133 +6,265 @@
 #ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_GUARANTEE_H
 #define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_GUARANTEE_H
 
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Degradation_criterion.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Distances_from_reference.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Flip_criterion.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Fold_criterion.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Initial_quality.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/New_intersections.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Result_distances.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/shorten_moves.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Remesh.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Sampling/Area_samples.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Sampling/Remesh_samples.h>
 
-#include <boost/range/irange.hpp>
+#include <CGAL/Polygon_mesh_processing/Vertex_location_optimization_report.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
+#include <numeric>
+#include <set>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
-// Measures what the guarantee compares with, in the first iteration, when M_0 has been sampled.
-template <typename ConcurrencyTag, typename Reference>
-Initial_quality measure_initial_quality(const Reference& reference,
-                                        const Remesh& remesh,
-                                        const Remesh_samples<Reference>& samples,
-                                        Initial_measure measure)
-{
-  constexpr double close = 0.9; // the lattice on a face with smaller samples is thought to have no larger maximum
-  constexpr int max_faces = 64;
-  const auto sampled_maximum = [&](std::size_t f) { return measure.distances.maximum(remesh, f); };
-  const auto all = boost::irange<std::size_t>(0, remesh.number_of_faces());
-  std::array<std::size_t, max_faces> faces; // with the largest samples
-  const auto end =
-    std::partial_sort_copy(all.begin(), all.end(), faces.begin(), faces.end(),
-                           [&](std::size_t f, std::size_t g) { return sampled_maximum(f) > sampled_maximum(g); });
-
-  Initial_quality quality;
-  quality.mean = mean_distance<ConcurrencyTag>(remesh, remesh.points, measure.distances);
-  for(auto f = faces.begin(); f != end && sampled_maximum(*f) > close * quality.maximum; ++f)
-  {
-    const auto farthest =
-      Farthest_point<Reference>(reference).of_lattice(remesh.triangle(*f), samples.vertices.hint(remesh.first_vertex(*f)));
-    quality.maximum = (std::max)(quality.maximum, farthest.distance);
-  }
-  quality.orientations = std::move(measure.orientations);
-  return quality;
-}
-
-// The end of a run: shortens the moves from the initial to the next points, so that neither the largest nor the mean error
-// is above that of the initial remesh, as sampled, no face is flipped and, if that is tested, no pair of faces intersects
-// that did not before.
+// The end of a run: shortens the moves from the initial to the next points where they do harm, so that
+//   - no face is flipped, collapses, opposes the reference where it did not, or gets a sharper fold;
+//   - neither the largest nor the mean distance to the reference is above that of the initial remesh and, if that is
+//     asked for, neither of those from the reference;
+//   - no pair of faces intersects, if that is tested, that did not before.
+// Each stage halves moves where they violate it and no others; one that was halved often is taken back.
 //
 // `AllowMove` is a functor (i, source, target) -> bool, `FindSelfIntersections` is a `Self_intersection_test`.
 template <typename ConcurrencyTag, typename Reference, typename AllowMove, typename FindSelfIntersections>
 class Guarantee
 {
+  using Indices = std::vector<Index>;
+
+  struct Reference_normal
+  {
+    Vector operator()(std::size_t f) const { return distances.reference_normals(f)[3]; }
+
+    const Result_distances<Reference>& distances;
+  };
+
+  struct Reference_normals
+  {
+    auto operator()(std::size_t f) const { return distances.reference_normals(f); }
+
+    const Result_distances<Reference>& distances;
+  };
+
 public:
-  // `samples` are those of the points of the remesh
+  // `samples` and `area_samples` are those of the points of the remesh
   Guarantee(const Reference& reference,
             const Initial_quality& initial,
+            const Smallest_angles& smallest_angles,
             Remesh_sample_offsets<typename Reference::Hint> samples,
+            Area_samples area_samples,
             const AllowMove& allow_move,
             const FindSelfIntersections& find_self_intersections,
             Remesh& remesh,
-            std::vector<bool>& is_corrected)
-    : m_criterion(reference, remesh, initial, std::move(samples)), m_allow_move(allow_move),
-      m_new_intersections(remesh, find_self_intersections), m_remesh(remesh), m_is_corrected(is_corrected),
-      m_number_of_halvings(remesh.points.size(), 0)
+            Corrections& corrections)
+    : m_initial(initial), m_distances(reference, remesh, std::move(samples)),
+      m_distances_from_reference(reference, remesh, std::move(area_samples)), 
+      m_flips(remesh, smallest_angles, Reference_normal{ m_distances }), m_folds(remesh, Reference_normals{ m_distances }), m_allow_move(allow_move),
+      m_new_intersections(remesh, find_self_intersections), m_remesh(remesh), m_corrections(corrections),
+      m_is_worse(remesh.number_of_faces(), false), m_number_of_halvings(remesh.points.size(), 0)
   {}
 
   void enforce()
   {
-    do
-      keep_each_face();
-    while(!(keep_mean() && keep_apart()));
+    keep_shapes();
+    m_distances.template measure<ConcurrencyTag>();
+    m_distances_from_reference.template measure<ConcurrencyTag>();
+    Indices all(m_remesh.number_of_faces());
+    std::iota(all.begin(), all.end(), Index(0));
+    find_worse_faces(all);
+    while(shorten(vertices_with_most_worse_faces(), Correction::ERROR) ||
+          shorten(vertices_that_raise_mean(), Correction::ERROR) ||
+          shorten(vertices_that_raise_maximum_from_reference(), Correction::ERROR) ||
+          shorten(vertices_that_raise_mean_from_reference(), Correction::ERROR) ||
+          shorten(m_new_intersections.find_vertices(), Correction::INTERSECTION))
+    {
+      keep_shapes();
+      const Indices changed = m_distances.template update<ConcurrencyTag>();
+      m_distances_from_reference.template update<ConcurrencyTag>(changed);
+      find_worse_faces(changed);
+    }
+  }
+
+  Approximation_error error() const
+  {
+    Approximation_error result = m_distances.template error<ConcurrencyTag>();
+    result.max = m_distances.maximum();
+    return result;
+  }
+
+  // 0 if that is not sampled
+  Approximation_error error_from_reference() const
+  {
+    Approximation_error result = m_distances_from_reference.template error<ConcurrencyTag>();
+    if(!m_distances_from_reference.empty())
+      result.max = m_distances_from_reference.maximum();
+    return result;
   }
 
 private:
-  // No face violates the criterion afterwards, and the user allows all moves.
-  void keep_each_face()
+  // No face is flipped, collapses or gets a sharper fold afterwards, and the user allows all moves.
+  void keep_shapes()
   {
     do
     {
-      m_criterion.template measure<ConcurrencyTag>();
-      shorten_moves<ConcurrencyTag>(m_remesh, m_remesh.initial_points, m_criterion, m_is_corrected);
+      shorten_moves<ConcurrencyTag>(m_remesh, m_remesh.initial_points, m_flips, m_corrections);
+      shorten_moves<ConcurrencyTag>(m_remesh, m_remesh.initial_points, m_folds, m_corrections);
     }
-    while(refuse_moves(m_remesh, m_remesh.initial_points, m_allow_move));
+    while(refuse_moves(m_remesh, m_remesh.initial_points, m_allow_move, m_corrections));
   }
 
-  // Whether the mean error is lower than at first. If not, no face may have more error any more; if that was so already,
-  // and it is the areas that have changed, there is no result.
-  bool keep_mean()
+  // Finds among these faces those that have moved and whose largest distance exceeds that of the initial remesh and its own
+  // at first, or that oppose more normals of the reference than at first.
+  void find_worse_faces(const Indices& faces)
   {
-    if(m_criterion.template is_mean_lower<ConcurrencyTag>())
-      return true;
-    if(!m_criterion.is_strict())
+    for_each_index<ConcurrencyTag>(faces.size(), [&](std::size_t k) {
+      const Index f = faces[k];
+      m_is_worse[f] = has_moved(f) && (m_distances.orientation(f) > m_initial.orientations[f] ||
+                                       m_distances.exceeds(f, m_initial.error.max));
+    });
+  }
+
+  // of each of these faces the vertex with the most of them
+  Indices vertices_with_most_worse_faces() const
+  {
+    const auto key = [&](Index i) {
+      int number = -m_number_of_halvings[i];
+      m_remesh.for_each_corner(i, [&](Index c) { number += m_is_worse[c / 3]; });
+      return number;
+    };
+    Indices result;
+    for(Index f : find_indices<ConcurrencyTag>(m_is_worse.size(), [&](std::size_t f) { return m_is_worse[f]; }))
     {
-      m_criterion.template make_strict<ConcurrencyTag>();
-      return false;
+      Index best = no_index;
+      for(Index i : m_remesh.face(f))
+        if(is_moved(i) && (best == no_index || key(i) > key(best) || (key(i) == key(best) && i < best)))
+          best = i;
+      if(best != no_index)
+        result.push_back(best);
     }
-    for(std::size_t i = 0; i < m_remesh.points.size(); ++i)
-      if(is_moved(i))
-      {
-        m_remesh.next_points[i] = m_remesh.initial_points[i];
-        m_is_corrected[i] = true;
-      }
-    return true;
+    return result;
   }
 
-  // Halves the moves of the vertices of faces that intersect and did not at first; returns whether there were none.
-  bool keep_apart()
+  static bool is_lower(double mean, double initial)
   {
-    bool is_apart = true;
-    for(Index i : m_new_intersections.find_vertices())
+    constexpr double accuracy = 0.003; // of a mean; what is gained must be more, or it may be none
+    return mean <= (1 - accuracy) * initial;
+  }
+
+  // If the mean is not lower than at first: the vertices whose faces have contributed to that.
+  Indices vertices_that_raise_mean()
+  {
+    const double mean = m_initial.error.mean;
+    if(is_lower(m_distances.template error<ConcurrencyTag>().mean, mean))
+      return {};
+    if(m_initial_integrals.empty())
+    {
+      m_initial_integrals.resize(m_remesh.number_of_faces());
+      for_each_index<ConcurrencyTag>(m_initial_integrals.size(),
+                                     [&](std::size_t f) { m_initial_integrals[f] = m_distances.initial_integral(f); });
+    }
+    // A face raises the mean by its integral less that of the mean over its area.
+    std::vector<double> changes(m_remesh.number_of_faces());
+    for_each_index<ConcurrencyTag>(changes.size(), [&](std::size_t f) {
+      const double growth = m_remesh.area(f, m_remesh.next_points) - m_remesh.area(f, m_remesh.initial_points);
+      changes[f] = m_distances.integral(f) - m_initial_integrals[f] - mean * growth;
+    });
+    return vertices_with_positive_sum(changes);
+  }
+
+  // The vertices that have moved and among which the changes of their faces, shared by those that have moved, have a
+  // positive sum; all that have moved if there is none. While the sum over all faces is positive there is one.
+  Indices vertices_with_positive_sum(const std::vector<double>& changes) const
+  {
+    std::vector<double> sums(m_remesh.points.size(), 0);
+    for(std::size_t f = 0; f < changes.size(); ++f)
+    {
+      const auto& v = m_remesh.face(f);
+      const auto number = std::count_if(v.begin(), v.end(), [&](Index i) { return is_moved(i); });
+      for(Index i : v)
+        if(is_moved(i))
+          sums[i] += changes[f] / number;
+    }
+    const Indices result = find_indices<ConcurrencyTag>(sums.size(), [&](std::size_t i) { return sums[i] > 0; });
+    return !result.empty() ? result : find_indices<ConcurrencyTag>(sums.size(), [&](std::size_t i) { return is_moved(i); });
+  }
+
+  Indices vertices_that_raise_maximum_from_reference() const
+  {
+    Indices faces;
+    for(const Distant_sample& sample : m_distances_from_reference.find_distant(m_initial.error_from_reference.max))
+      for(Index f : { sample.initial_face, sample.face })
+        faces.push_back(f);
+    return vertices_of(faces);
+  }
+
+  Indices vertices_that_raise_mean_from_reference() const
+  {
+    if(is_lower(m_distances_from_reference.template error<ConcurrencyTag>().mean, m_initial.error_from_reference.mean))
+      return {};
+    std::vector<double> changes(m_remesh.number_of_faces(), 0);
+    m_distances_from_reference.for_each_change([&](Index f, double growth) { changes[f] += growth; });
+    return vertices_with_positive_sum(changes);
+  }
+
+  Indices vertices_of(const Indices& faces) const
+  {
+    Indices result;
+    for(Index f : faces)
+      result.insert(result.end(), m_remesh.face(f).begin(), m_remesh.face(f).end());
+    return result;
+  }
+
+  // Halves the moves of these vertices, or takes them back if that has been done often enough; returns whether there were any.
+  template <typename Vertices>
+  bool shorten(const Vertices& vertices, const Correction reason)
+  {
+    constexpr int max_rounds = 10; // it bounds the time; afterwards moves are taken back
+    bool is_shortened = false;
+    for(Index i : std::set<Index>(vertices.begin(), vertices.end()))
       if(is_moved(i))
       {
-        halve_move(m_remesh.initial_points[i], m_remesh.next_points[i], m_number_of_halvings[i]);
-        m_is_corrected[i] = true;
-        is_apart = false;
+        if(m_round >= max_rounds)
+          m_remesh.next_points[i] = m_remesh.initial_points[i];
+        else
+          halve_move(m_remesh.initial_points[i], m_remesh.next_points[i], m_number_of_halvings[i]);
+        m_corrections.add(i, reason);
+        is_shortened = true;
       }
-    return is_apart;
+    m_round += is_shortened;
+    return is_shortened;
+  }
+
+  bool has_moved(std::size_t f) const
+  {
+    const auto& v = m_remesh.face(f);
+    return std::any_of(v.begin(), v.end(), [&](Index i) { return is_moved(i); });
   }
 
   bool is_moved(std::size_t i) const { return m_remesh.next_points[i] != m_remesh.initial_points[i]; }
 
-  Degradation_criterion<Reference> m_criterion;
+  const Initial_quality& m_initial;
+  Result_distances<Reference> m_distances;
+  Distances_from_reference<Reference> m_distances_from_reference;
+  Flip_criterion<Reference_normal> m_flips;
+  Fold_criterion<Reference_normals> m_folds;
   const AllowMove& m_allow_move;
   New_intersections<FindSelfIntersections> m_new_intersections;
   Remesh& m_remesh;
-  std::vector<bool>& m_is_corrected;
-  std::vector<unsigned char> m_number_of_halvings; // of the moves of vertices of faces that intersect
+  Corrections& m_corrections;
+  std::vector<char> m_is_worse; // of the faces
+  std::vector<unsigned char> m_number_of_halvings;
+  std::vector<double> m_initial_integrals; // of the distance over each face, once they are needed
+  int m_round = 0;
 };
 
 } // namespace CGAL::Polygon_mesh_processing::internal::vertex_location

@@ -6,6 +6,8 @@
 #ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_RESULT_DISTANCES_H
 #define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_RESULT_DISTANCES_H
 
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Measure/Error_integral.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Face_sampling.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Farthest_point.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Measure/Distance_samples.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Measure/Face_orientation.h>
@@ -15,6 +17,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -29,14 +32,13 @@ class Result_distances
   using Foot = typename Reference::Foot;
   using Hint = typename Reference::Hint;
   using Samples = Sample_offsets<Hint>;
-  using Farthest = Farthest_point<Reference>;
 
 public:
   // `samples` are those of the points of the remesh, with which it goes on
   Result_distances(const Reference& reference, const Remesh& remesh, Remesh_sample_offsets<Hint> samples)
-    : m_reference(reference), m_remesh(remesh), m_vertices(std::move(samples.vertices)),
-      m_midpoints(std::move(samples.midpoints)), m_points(remesh.points), m_distances(remesh),
-      m_orientations(remesh.number_of_faces())
+    : m_reference(reference), m_remesh(remesh), m_sampling(remesh, remesh.initial_points),
+      m_vertices(std::move(samples.vertices)), m_midpoints(std::move(samples.midpoints)), m_points(remesh.points),
+      m_distances(remesh), m_faces(remesh.number_of_faces()), m_orientations(remesh.number_of_faces())
   {}
 
   // Measures the next points. Each distance is that to the point where walking from the foot of the last iteration leads,
@@ -44,112 +46,95 @@ public:
   template <typename ConcurrencyTag>
   void measure()
   {
-    constexpr double negligible = 1e-3; // relative to the mean edge length; it saves the search where the run has converged
-    const double limit2 = square(negligible * m_remesh.mean_edge_length);
-    const auto move = [&](Samples& samples, std::size_t k, const Point& from, const Point& to) {
-      if(!(squared_distance(from, to) <= limit2))
-        return walk(samples, k, to);
-      samples.offsets[k] = samples.offsets[k] - (to - from);
-      return norm(samples.offsets[k]);
-    };
-
     for_each_element<ConcurrencyTag>(
-      m_remesh,
-      [&](std::size_t i) { m_distances.at_vertices[i] = move(m_vertices, i, m_points[i], m_remesh.next_points[i]); },
-      [&](std::size_t e) {
-        m_distances.at_midpoints[e] =
-          move(m_midpoints, e, m_remesh.midpoint(e, m_points), m_remesh.midpoint(e, m_remesh.next_points));
-      },
+      m_remesh, [&](std::size_t i) { measure_vertex(i); }, [&](std::size_t e) { measure_midpoint(e); },
       [&](std::size_t f) {
         constexpr std::size_t ahead = 8;
         if(f + ahead < m_remesh.number_of_faces())
           m_reference.prefetch(barycenter_hint(f + ahead));
-        measure_barycenter(f);
+        measure_face(f);
       });
     m_points = m_remesh.next_points;
   }
 
-  // measures anew what has changed with the next point of vertex i
-  void update(Index i)
+  // Measures again what has changed since; returns the faces, in increasing order.
+  template <typename ConcurrencyTag>
+  std::vector<Index> update()
   {
-    m_points[i] = m_remesh.next_points[i];
-    m_distances.at_vertices[i] = walk(m_vertices, i, m_points[i]);
-    m_remesh.for_each_corner(i, [&](Index c) {
-      for(Index d : { Mesh_arrays::next(c), Mesh_arrays::previous(c) })
-      {
-        const Index e = m_remesh.opposite_edge(d);
-        m_distances.at_midpoints[e] = walk(m_midpoints, e, m_remesh.midpoint(e, m_remesh.next_points));
-      }
-      measure_barycenter(c / 3);
-    });
+    const std::vector<Index> vertices = find_indices<ConcurrencyTag>(
+      m_points.size(), [&](std::size_t i) { return m_points[i] != m_remesh.next_points[i]; });
+    std::vector<Index> edges, faces;
+    for(Index i : vertices)
+      m_remesh.for_each_corner(i, [&](Index c) {
+        faces.push_back(c / 3);
+        edges.push_back(m_remesh.opposite_edge(Mesh_arrays::next(c)));
+        edges.push_back(m_remesh.opposite_edge(Mesh_arrays::previous(c)));
+      });
+    for(std::vector<Index>* indices : { &edges, &faces })
+    {
+      std::sort(indices->begin(), indices->end());
+      indices->erase(std::unique(indices->begin(), indices->end()), indices->end());
+    }
+    for_each_index<ConcurrencyTag>(vertices.size(), [&](std::size_t k) { measure_vertex(vertices[k]); });
+    for_each_index<ConcurrencyTag>(edges.size(), [&](std::size_t k) { measure_midpoint(edges[k]); });
+    for_each_index<ConcurrencyTag>(faces.size(), [&](std::size_t k) { measure_face(faces[k]); });
+    for(Index i : vertices)
+      m_points[i] = m_remesh.next_points[i];
+    return faces;
   }
 
+  // over the whole remesh; the maximum is that of the samples, where walking may have missed closer points
   template <typename ConcurrencyTag>
-  double mean() const
+  Approximation_error error() const
   {
-    return mean_distance<ConcurrencyTag>(m_remesh, m_remesh.next_points, m_distances);
+    return sum_over_indices<ConcurrencyTag, Error_integral>(m_remesh.number_of_faces(), [&](std::size_t f) {
+             const double area = m_remesh.area(f, m_remesh.next_points);
+             return Error_integral{ area, area * m_faces[f].mean, area * m_faces[f].mean_square, sampled_maximum(f) };
+           }).error();
   }
 
   // the integral over face f
-  double integral(std::size_t f) const { return m_remesh.area(f, m_remesh.next_points) * m_distances.mean(m_remesh, f); }
+  double integral(std::size_t f) const { return m_remesh.area(f, m_remesh.next_points) * m_faces[f].mean; }
 
-  // the same with the vertices at their initial points, at closest points
+  // the same with the vertices at their initial points
   double initial_integral(std::size_t f) const
   {
-    const std::array<Index, 3>& vertices = m_remesh.face(f);
-    const std::array<Point, 3> t = m_remesh.triangle(f, m_remesh.initial_points);
-    double of_vertices = 0, of_midpoints = 0;
-    for(int k = 0; k < 3; ++k)
-    {
-      of_vertices += distance(t[k], m_vertices.hints[vertices[k]]);
-      of_midpoints += distance(midpoint(t[(k + 1) % 3], t[(k + 2) % 3]), m_midpoints.hints[m_remesh.face_edges[f][k]]);
-    }
-    const double of_barycenter = distance(point_at(t, barycenter_coordinates), barycenter_hint(f));
-    return m_remesh.area(f, m_remesh.initial_points) *
-           (Cubic_quadrature::of_vertex(of_vertices) + Cubic_quadrature::of_midpoint(of_midpoints) +
-            Cubic_quadrature::of_barycenter(of_barycenter));
+    return m_remesh.area(f, m_remesh.initial_points) * sample(f, m_remesh.initial_points).mean;
   }
 
   // at the barycenter of face f
   Face_orientation orientation(std::size_t f) const { return m_orientations[f]; }
 
-  // The largest distance on face f, rather more than less, if the samples come near `limit`; else the largest of the
-  // samples. Between them the distance may be larger: fivefold on a face that spans a crease, less the more samples there
-  // are. Where two sheets of the reference are equally far away it has a ridge, on which climbing may end too early.
-  double maximum(std::size_t f, double limit) const
+  // of the reference, at the points closest to the corners and the barycenter of face f
+  std::array<Vector, 4> reference_normals(std::size_t f) const
   {
-    // relative to the limit: below the first the samples are enough, below the second a coarse lattice, and above the third
-    // a fine one is needed to tell on which side of the limit the maximum is
-    constexpr double enough_by_samples = 0.2, enough_by_coarse_lattice = 0.6, too_close = 0.9;
-    constexpr int coarse_level = 4, fine_level = 24;
-    const double sampled = m_distances.maximum(m_remesh, f);
-    if(!(sampled >= enough_by_samples * limit))
-      return sampled;
-    const Farthest farthest(m_reference);
     const std::array<Point, 3> t = m_remesh.triangle(f, m_remesh.next_points);
-    if(sampled < enough_by_coarse_lattice * limit &&
-       farthest.of_lattice_by_walking(t, hint(f), coarse_level).distance < enough_by_coarse_lattice * limit)
-      return sampled;
-    const double result = (std::max)(sampled, farthest.by_climbing(t, hint(f)).distance);
-    if(result >= too_close * limit && result <= limit)
-      return (std::max)(result, farthest.by_climbing(t, hint(f), fine_level).distance);
-    return result;
+    const auto normal_at = [&](const Point& p) { return m_reference.normal(m_reference.project(p, hint(f))); };
+    return { { normal_at(t[0]), normal_at(t[1]), normal_at(t[2]), normal_at(point_at(t, barycenter_coordinates)) } };
   }
 
-  // Whether the largest distance on face f is larger than with the initial points, on a lattice or beyond it, or not clearly
-  // smaller at a point that has moved.
-  bool exceeds_initial_maximum(std::size_t f) const
+  // the largest of the samples on face f
+  double sampled_maximum(std::size_t f) const { return (std::max)(m_faces[f].max, m_distances.maximum(m_remesh, f)); }
+
+  double maximum() const
   {
-    constexpr double margin = 0.995; // for what lattice and climbing miss
-    const Farthest farthest(m_reference);
-    const std::array<Point, 3> t = m_remesh.triangle(f, m_remesh.next_points),
-                               initial_t = m_remesh.triangle(f, m_remesh.initial_points);
-    if(farthest.of_lattice(t, hint(f)).distance > farthest.of_lattice(initial_t, hint(f)).distance)
-      return true;
-    const auto result = farthest.by_climbing(t, hint(f));
-    const double initial = farthest.by_climbing(initial_t, hint(f)).distance;
-    return result.distance > initial || (result.distance > margin * initial &&
-                                         point_at(t, result.coordinates) != point_at(initial_t, result.coordinates));
+    return largest_distance(m_reference, m_remesh, m_remesh.next_points, [&](std::size_t f) { return sampled_maximum(f); },
+                            [&](std::size_t f) { return hint(f); });
+  }
+
+  // Whether the largest distance on face f is larger than `limit` and than with the initial points.
+  bool exceeds(std::size_t f, double limit) const
+  {
+    constexpr double small = 0.3; // relative to the limit; where no sample is larger none is thought to be missing
+    const double sampled = sampled_maximum(f);
+    if(sampled <= small * limit)
+      return false;
+    const Farthest_point<Reference> farthest(m_reference);
+    const std::array<Point, 3> t = m_remesh.triangle(f, m_remesh.next_points);
+    if(!(farthest(t, hint(f), limit, true) > limit))
+      return false;
+    const double initial = farthest(m_remesh.triangle(f, m_remesh.initial_points), hint(f), limit);
+    return farthest(t, hint(f), initial, true) > initial;
   }
 
 private:
@@ -157,25 +142,59 @@ private:
   const Hint& hint(std::size_t f) const { return m_vertices.hints[m_remesh.first_vertex(f)]; }
   const Hint& barycenter_hint(std::size_t f) const { return m_midpoints.hints[m_remesh.edge_at_first_vertex(f)]; }
 
-  double distance(const Point& p, const Foot& hint) const
+  Face_distances sample(std::size_t f, const std::vector<Point>& points) const
   {
-    return distance_to_foot(p, m_reference, m_reference.project(p, hint));
+    std::array<Foot, 3> feet, midpoint_feet;
+    for(int k = 0; k < 3; ++k)
+    {
+      feet[k] = m_vertices.hints[m_remesh.face(f)[k]];
+      midpoint_feet[k] = m_midpoints.hints[m_remesh.face_edges[f][k]];
+    }
+    return m_sampling.measure(m_reference, f, m_remesh.triangle(f, points), feet, midpoint_feet,
+                              m_distances.maximum_on_sides(m_remesh, f));
   }
 
-  // Takes sample k at the point to which walking from its foot leads; returns the distance.
-  double walk(Samples& samples, std::size_t k, const Point& query)
+  void measure_vertex(std::size_t i)
   {
-    samples.offsets[k] = m_reference.point(m_reference.project_locally(query, samples.hints[k])) - query;
+    m_distances.at_vertices[i] = move(m_vertices, i, m_points[i], m_remesh.next_points[i]);
+  }
+
+  void measure_midpoint(std::size_t e)
+  {
+    m_distances.at_midpoints[e] =
+      move(m_midpoints, e, m_remesh.midpoint(e, m_points), m_remesh.midpoint(e, m_remesh.next_points));
+  }
+
+  void measure_face(std::size_t f)
+  {
+    m_faces[f] = sample(f, m_remesh.next_points);
+    measure_barycenter(f);
+  }
+
+  // Takes sample k, of a query that goes from `from` to `to`, at the point to which walking from its foot leads; returns the
+  // distance.
+  double move(Samples& samples, std::size_t k, const Point& from, const Point& to)
+  {
+    constexpr double negligible = 1e-3; // relative to the mean edge length; it saves the search where the run has converged
+    const double length2 = squared_distance(from, to);
+    if(length2 <= square(negligible * m_remesh.mean_edge_length))
+      samples.offsets[k] = samples.offsets[k] - (to - from);
+    else
+    {
+      const double near = near_by(norm(samples.offsets[k])) + std::sqrt(length2) / 2;
+      const Foot foot = walk_or_search(m_reference, to, samples.hints[k], near);
+      samples.offsets[k] = m_reference.point(foot) - to;
+      samples.hints[k] = foot;
+    }
     return norm(samples.offsets[k]);
   }
 
   void measure_barycenter(std::size_t f)
   {
-    constexpr double far = 0.1; // relative to the mean edge length; other sheets are thought to be farther away
     const Point p = point_at(m_remesh.triangle(f, m_remesh.next_points), barycenter_coordinates);
-    const Foot foot = m_reference.project_locally(p, barycenter_hint(f));
+    const Foot foot = walk_or_search(m_reference, p, barycenter_hint(f), near_by(m_distances.maximum_on_sides(m_remesh, f)));
     set_barycenter(f, p, foot);
-    if(m_orientations[f] != Face_orientation::CONSISTENT || m_distances.at_barycenters[f] > far * m_remesh.mean_edge_length)
+    if(m_orientations[f] != Face_orientation::CONSISTENT)
       set_barycenter(f, p, m_reference.project(p, foot));
   }
 
@@ -187,9 +206,11 @@ private:
 
   const Reference& m_reference;
   const Remesh& m_remesh;
+  const Face_sampling m_sampling;
   Samples m_vertices, m_midpoints;
   std::vector<Point> m_points; // of the vertices, for which the samples were taken
   Distance_samples m_distances;
+  std::vector<Face_distances> m_faces;
   std::vector<Face_orientation> m_orientations; // at the barycenters
 };
 

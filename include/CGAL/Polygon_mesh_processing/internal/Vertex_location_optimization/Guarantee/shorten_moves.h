@@ -9,12 +9,42 @@
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Remesh.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/for_each_index.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <set>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
+
+// Why the move of a vertex was shortened; a bit for each reason.
+enum class Correction : unsigned char
+{
+  SHAPE = 1, // a face would flip, collapse, or be folded sharply
+  ERROR = 2, // the distance between the surfaces would be larger
+  INTERSECTION = 4,
+  REFUSAL = 8 // by the user
+};
+
+// The corrections of each vertex.
+class Corrections
+{
+public:
+  explicit Corrections(std::size_t number_of_vertices) : m_reasons(number_of_vertices, 0) {}
+
+  void add(std::size_t i, Correction reason) { m_reasons[i] |= static_cast<unsigned char>(reason); }
+
+  std::size_t count() const { return m_reasons.size() - std::count(m_reasons.begin(), m_reasons.end(), 0); }
+
+  std::size_t count(Correction reason) const
+  {
+    return std::count_if(m_reasons.begin(), m_reasons.end(),
+                         [&](unsigned char reasons) { return (reasons & static_cast<unsigned char>(reason)) != 0; });
+  }
+
+private:
+  std::vector<unsigned char> m_reasons;
+};
 
 // Halves the move of a vertex from `origin`, to which it returns when it has been halved too often.
 inline void halve_move(const Point& origin, Point& next, unsigned char& number_of_halvings)
@@ -25,7 +55,8 @@ inline void halve_move(const Point& origin, Point& next, unsigned char& number_o
 
 // Takes back the moves from `origins` to the next points that the user does not allow; returns whether there were any.
 template <typename AllowMove>
-bool refuse_moves(Remesh& remesh, const std::vector<Point>& origins, const AllowMove& allow_move)
+bool refuse_moves(
+  Remesh& remesh, const std::vector<Point>& origins, const AllowMove& allow_move, Corrections& corrections)
 {
   bool is_refused = false;
   for(std::size_t i = 0; i < origins.size(); ++i)
@@ -34,6 +65,7 @@ bool refuse_moves(Remesh& remesh, const std::vector<Point>& origins, const Allow
     if(next != origins[i] && !allow_move(i, origins[i], next))
     {
       next = origins[i];
+      corrections.add(i, Correction::REFUSAL);
       is_refused = true;
     }
   }
@@ -42,12 +74,12 @@ bool refuse_moves(Remesh& remesh, const std::vector<Point>& origins, const Allow
 
 // The correction of section 3.3, for any criterion: as long as a face violates it, halves the move, from `origins` to the
 // next points, of the vertex with the largest C_i - n_i, where C_i is the number of such faces at the vertex and n_i how
-// often it was corrected; the smallest index first where these are equal. Marks the vertices whose moves it shortens.
+// often it was corrected; the smallest index first where these are equal. Notes the vertices whose moves it shortens.
 //
 // `criterion.is_violated_by(f)` says whether face f violates it, `criterion.update(i)` tells it that the next point of
 // vertex i has changed. A face whose vertices are all at their origins stays as it is.
 template <typename ConcurrencyTag, typename Criterion>
-void shorten_moves(Remesh& remesh, const std::vector<Point>& origins, Criterion& criterion, std::vector<bool>& is_corrected)
+void shorten_moves(Remesh& remesh, const std::vector<Point>& origins, Criterion& criterion, Corrections& corrections)
 {
   const std::vector<Index> faces =
     find_indices<ConcurrencyTag>(remesh.number_of_faces(), [&](std::size_t f) { return criterion.is_violated_by(f); });
@@ -83,7 +115,7 @@ void shorten_moves(Remesh& remesh, const std::vector<Point>& origins, Criterion&
     for(Index j : neighborhood)
       dequeue(j);
 
-    is_corrected[i] = true;
+    corrections.add(i, Correction::SHAPE);
     halve_move(origins[i], remesh.next_points[i], number_of_corrections[i]);
     criterion.update(i);
     remesh.for_each_corner(i, [&](Index c) { is_violator[c / 3] = criterion.is_violated_by(c / 3); });

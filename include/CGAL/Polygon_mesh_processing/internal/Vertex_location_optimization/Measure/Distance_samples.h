@@ -45,7 +45,12 @@ struct Distance_samples
 
   double maximum(const Mesh_arrays& mesh, std::size_t f) const
   {
-    double result = at_barycenters[f];
+    return (std::max)(at_barycenters[f], maximum_on_sides(mesh, f));
+  }
+
+  double maximum_on_sides(const Mesh_arrays& mesh, std::size_t f) const
+  {
+    double result = 0;
     for(Index i : mesh.face(f))
       result = (std::max)(result, at_vertices[i]);
     for(Index e : mesh.face_edges[f])

@@ -22,7 +22,9 @@ namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 inline Optimization_options least_squares_defaults()
 {
   constexpr double threshold = 7.5e-4; // where it ends the mean error is within 2% of that after twice as many iterations
-  return { LEAST_SQUARES, threshold, true };
+  Optimization_options options{ LEAST_SQUARES, threshold, true };
+  options.guarantee_both_directions = true; // the samples of the reference are there already
+  return options;
 }
 
 // What the faces at a vertex say to it.
@@ -46,23 +48,23 @@ template <typename ConcurrencyTag, typename Reference>
 class Least_squares_placement : public Placement<Reference>
 {
   using Base = Placement<Reference>;
+  using Base::m_area_samples;
   using Base::m_reference;
   using Base::m_remesh;
   using Base::m_samples;
 
 public:
   Least_squares_placement(const Reference& reference, Remesh& remesh, const Optimization_options& options)
-    : Base(reference, remesh, Sample_set::MIDPOINTS_AND_BARYCENTERS), m_regularity_weight(options.regularity_weight)
+    : Base(reference, remesh, Sample_set::MIDPOINTS_AND_BARYCENTERS, true), m_regularity_weight(options.regularity_weight)
   {}
 
   // The smaller the error of M_0, the less of it is given for regularity. 5.5% of the edge length is a large one.
   Initial_measure start() override
   {
-    Initial_measure initial = m_samples.template start<ConcurrencyTag>(m_reference, m_remesh);
+    Initial_measure initial = this->template start_samples<ConcurrencyTag>();
     const double mean = mean_distance<ConcurrencyTag>(m_remesh, m_remesh.points, initial.distances);
     constexpr double large_error = 0.055;
     m_regularity_weight *= std::sqrt(mean / (large_error * m_remesh.mean_edge_length));
-    m_area_samples.template start<ConcurrencyTag>(m_reference, m_remesh);
     return initial;
   }
 
@@ -188,7 +190,6 @@ private:
   }
 
   double m_regularity_weight; // from start() on relative to the error of M_0
-  Area_samples m_area_samples;
   double m_displacement_along_normals = 0; // of the last iteration, root mean square
 };
 

@@ -44,11 +44,11 @@ class Piecewise_linear_placement : public Placement<Reference>
 
 public:
   Piecewise_linear_placement(const Reference& reference, Remesh& remesh, const Optimization_options& options)
-    : Base(reference, remesh, Sample_set::MIDPOINT_LOCATIONS), m_spring(remesh),
+    : Base(reference, remesh, Sample_set::MIDPOINT_LOCATIONS, options.guarantee_both_directions), m_spring(remesh),
       m_number_of_relaxation_steps(options.number_of_relaxation_steps)
   {}
 
-  Initial_measure start() override { return m_samples.template start<ConcurrencyTag>(m_reference, m_remesh); }
+  Initial_measure start() override { return this->template start_samples<ConcurrencyTag>(); }
 
   void resample(const Iteration& iteration) override
   {

@@ -7,6 +7,7 @@
 #define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_PLACEMENT_H
 
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Remesh.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Sampling/Area_samples.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Sampling/Remesh_samples.h>
 #include <CGAL/Polygon_mesh_processing/Placement_method.h>
 
@@ -24,6 +25,7 @@ struct Optimization_options
   std::size_t number_of_free_iterations = 20;
   std::size_t number_of_relaxation_steps = 1;
   double regularity_weight = 0.15; // of LEAST_SQUARES
+  bool guarantee_both_directions = false;
 };
 
 // Where a run is.
@@ -40,8 +42,8 @@ template <typename Reference>
 class Placement
 {
 public:
-  Placement(const Reference& reference, Remesh& remesh, const Sample_set set)
-    : m_reference(reference), m_remesh(remesh), m_samples(remesh, set)
+  Placement(const Reference& reference, Remesh& remesh, const Sample_set set, const bool takes_area_samples)
+    : m_reference(reference), m_remesh(remesh), m_samples(remesh, set), m_takes_area_samples(takes_area_samples)
   {}
 
   virtual ~Placement() = default;
@@ -65,10 +67,24 @@ public:
 
   Remesh_samples<Reference>& samples() { return m_samples; }
 
+  // of the reference; empty if they are not taken
+  Area_samples& area_samples() { return m_area_samples; }
+
 protected:
+  template <typename ConcurrencyTag>
+  Initial_measure start_samples()
+  {
+    Initial_measure measure = m_samples.template start<ConcurrencyTag>(m_reference, m_remesh);
+    if(m_takes_area_samples)
+      measure.error_from_reference = m_area_samples.template start<ConcurrencyTag>(m_reference, m_remesh);
+    return measure;
+  }
+
   const Reference& m_reference;
   Remesh& m_remesh;
   Remesh_samples<Reference> m_samples;
+  Area_samples m_area_samples;
+  const bool m_takes_area_samples;
 };
 
 } // namespace CGAL::Polygon_mesh_processing::internal::vertex_location

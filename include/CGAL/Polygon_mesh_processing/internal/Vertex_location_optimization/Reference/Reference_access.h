@@ -32,6 +32,7 @@ namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 //   area()                        0: the surface cannot be sampled
 //   for_each_area_sample(a, f)    calls f(foot) for points spread evenly over the surface, each of which stands for the
 //                                 area a
+//   climb(foot, value)            the point to which climbing from `foot` leads, with the height value(foot)
 //   summary<ConcurrencyTag>()     its kind, and how far it is from the faces of its mesh
 //   feature_curves()              its creases and borders, see `Feature_curves`
 //
@@ -63,6 +64,11 @@ public:
   template <typename F>
   void for_each_area_sample(double, const F&) const
   {}
+  template <typename Value>
+  Foot climb(const Foot& foot, const Value&) const
+  {
+    return foot;
+  }
   template <typename ConcurrencyTag>
   Reference_surface_summary summary() const
   {

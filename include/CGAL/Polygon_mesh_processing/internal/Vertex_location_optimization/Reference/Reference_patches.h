@@ -142,27 +142,41 @@ public:
   }
 
   // The patches are in an order in which neighbors follow each other: points at equal steps of the area are spread over
-  // the surface. Those in one patch follow the additive recurrence by powers of the plastic number, of low discrepancy.
+  // the surface.
   template <typename F>
   void for_each_area_sample(const double area, const F& f) const
   {
-    constexpr double plastic_number = 1.3247179572447460; // the real root of x^3 = x + 1
-    constexpr double step_u = 1 / plastic_number, step_v = step_u / plastic_number;
     double passed = 0;
     std::size_t number = 0; // of the samples so far
     for(Index i = 0; i < m_neighbors.size(); ++i)
       for(passed += m_tree.patch(i).area(); (number + 0.5) * area < passed; ++number)
-      {
-        double integer_part;
-        double u = std::modf(0.5 + step_u * number, &integer_part);
-        double v = std::modf(0.5 + step_v * number, &integer_part);
-        if(u + v > 1)
+        f(Foot{ i, low_discrepancy_coordinates(number) });
+  }
+
+  // The point to which climbing from `foot` leads, where value(foot) is no lower than around it: from corner to corner of
+  // the patches.
+  template <typename Value>
+  Foot climb(Foot foot, const Value& value) const
+  {
+    constexpr std::array<Coordinates, 3> corners{ { { 0, 0 }, { 1, 0 }, { 0, 1 } } };
+    double highest = value(foot);
+    for(bool is_higher = true; is_higher;)
+    {
+      is_higher = false;
+      for(const Foot& other : feet_at(foot))
+        for(const Coordinates& corner : corners)
         {
-          u = 1 - u;
-          v = 1 - v;
+          const Foot candidate{ other.patch, corner };
+          const double height = value(candidate);
+          if(height > highest)
+          {
+            highest = height;
+            foot = candidate;
+            is_higher = true;
+          }
         }
-        f(Foot{ i, { u, v } });
-      }
+    }
+    return foot;
   }
 
   const Feature_curves& feature_curves() const { return m_curves; }

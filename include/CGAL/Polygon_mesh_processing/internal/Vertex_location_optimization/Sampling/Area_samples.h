@@ -6,6 +6,7 @@
 #ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_AREA_SAMPLES_H
 #define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_AREA_SAMPLES_H
 
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Measure/Error_integral.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/Flat_triangle.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/Patch_tree.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Remesh.h>
@@ -14,18 +15,20 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
-// Moves `foot`, a point of a mesh by its face, to the point closest to `query` as far as walking from face to face leads
-// closer: from a foot on the boundary of its face to all faces around. `Reference_patches` walks across sides alone, from
+// Moves `foot`, a point of a mesh by its face, to the point closest to `query` as far as walking from face to face, with the
+// vertices at `points`, leads closer: from a foot on the boundary of its face to all faces around. `Reference_patches` walks across sides alone, from
 // patch to patch; here each step is cheap, and the faces fold more.
-inline void walk_to_closest_point(const Remesh& remesh, const Point& query, Patch_foot& foot)
+inline void
+walk_to_closest_point(const Remesh& remesh, const std::vector<Point>& points, const Point& query, Patch_foot& foot)
 {
-  foot.coordinates = closest_on_triangle(remesh.triangle(foot.patch), query);
-  double distance = squared_distance(query, point_at(remesh.triangle(foot.patch), foot.coordinates));
+  foot.coordinates = closest_on_triangle(remesh.triangle(foot.patch, points), query);
+  double distance = squared_distance(query, point_at(remesh.triangle(foot.patch, points), foot.coordinates));
   for(bool is_closer = true; is_closer;)
   {
     is_closer = false;
@@ -36,7 +39,7 @@ inline void walk_to_closest_point(const Remesh& remesh, const Point& query, Patc
     for(int k = 0; k < 3; ++k)
       if(lambda[k] > boundary_tolerance)
         remesh.for_each_corner(face[k], [&](Index c) {
-          const std::array<Point, 3> t = remesh.triangle(c / 3);
+          const std::array<Point, 3> t = remesh.triangle(c / 3, points);
           const Coordinates x = closest_on_triangle(t, query);
           const double d = squared_distance(query, point_at(t, x));
           if(d < distance)
@@ -49,14 +52,23 @@ inline void walk_to_closest_point(const Remesh& remesh, const Point& query, Patc
   }
 }
 
+// The faces with the vertices at `points`, for closest points.
+inline Patch_tree<Flat_triangle> make_face_tree(const Remesh& remesh, const std::vector<Point>& points)
+{
+  std::vector<Flat_triangle> triangles(remesh.number_of_faces());
+  for(std::size_t f = 0; f < triangles.size(); ++f)
+    triangles[f] = Flat_triangle(remesh.triangle(f, points));
+  return Patch_tree<Flat_triangle>(std::move(triangles));
+}
+
 // Points spread evenly over the reference, each with the closest point of the remesh, in the order of the faces that these
 // were in at first: most stay there. There are none if the reference cannot be sampled.
 class Area_samples
 {
 public:
-  // Takes the samples.
+  // Takes the samples; returns the distance from the reference.
   template <typename ConcurrencyTag, typename Reference>
-  void start(const Reference& reference, const Remesh& remesh)
+  Approximation_error start(const Reference& reference, const Remesh& remesh)
   {
     constexpr std::size_t samples_per_face = 6; // of the remesh; they take most of the time and memory of the fit
     const std::size_t number_of_faces = remesh.number_of_faces(), n = samples_per_face * number_of_faces;
@@ -71,7 +83,14 @@ public:
       });
     }
 
-    const std::vector<Index> faces = find_closest_faces<ConcurrencyTag>(remesh);
+    m_travels.assign(number_of_faces, 0);
+    if(m_points.empty())
+    {
+      group_by_face(number_of_faces);
+      return {};
+    }
+    const Patch_tree<Flat_triangle> tree = make_face_tree(remesh, remesh.points);
+    const std::vector<Index> faces = find_closest_faces<ConcurrencyTag>(tree);
     m_samples_of_faces = Index_groups(number_of_faces, faces.size(), [&](Index i) { return faces[i]; });
     const std::vector<Index> order = m_samples_of_faces.members();
     permute(m_points, order);
@@ -81,8 +100,8 @@ public:
       const Index face = faces[order[i]];
       m_feet[i] = { face, closest_on_triangle(remesh.triangle(face), m_points[i]) };
     });
-    m_travels.assign(number_of_faces, 0);
     group_by_face(number_of_faces);
+    return measure<ConcurrencyTag>(reference, tree);
   }
 
   // Finds the closest points for `remesh.points` from the last ones, but keeps those on faces whose vertices have gone no
@@ -98,12 +117,17 @@ public:
     });
     for_each_index<ConcurrencyTag>(m_points.size(), [&](std::size_t i) {
       if(m_travels[m_feet[i].patch] > tolerance)
-        walk_to_closest_point(remesh, m_points[i], m_feet[i]);
+        walk_to_closest_point(remesh, remesh.points, m_points[i], m_feet[i]);
     });
     group_by_face(remesh.number_of_faces());
   }
 
   double area() const { return m_area; } // of the reference, that each sample stands for
+
+  std::size_t size() const { return m_points.size(); }
+  const Point& point(std::size_t i) const { return m_points[i]; }
+  const Patch_foot& foot(std::size_t i) const { return m_feet[i]; } // on the remesh
+  void set_foot(std::size_t i, const Patch_foot& foot) { m_feet[i] = foot; }
 
   // calls f(point, normal, coordinates) for each sample whose closest point is in the face, with the coordinates there
   template <typename F>
@@ -112,19 +136,38 @@ public:
     m_samples_of_faces.for_each(face, [&](Index i) { f(m_points[i], m_normals[i], m_feet[i].coordinates); });
   }
 
+  // The largest distance from the reference to the faces in `tree`, of the samples and of the points to which climbing from
+  // those with the largest of `distances` leads.
+  template <typename Reference>
+  double largest_distance(const Reference& reference,
+                          const Patch_tree<Flat_triangle>& tree,
+                          const std::vector<double>& distances) const
+  {
+    constexpr std::size_t max_samples = 64; // it trades time for a maximum that is elsewhere
+    std::vector<Index> order(m_points.size());
+    std::iota(order.begin(), order.end(), Index(0));
+    const auto end = order.begin() + (std::min)(max_samples, order.size());
+    std::partial_sort(order.begin(), end, order.end(), [&](Index i, Index j) {
+      return distances[i] != distances[j] ? distances[i] > distances[j] : i < j;
+    });
+    double largest = 0;
+    for(auto i = order.begin(); i != end; ++i)
+    {
+      const auto height_of_point = [&](const Point& p) { return norm(p - tree.point(tree.project(p, m_feet[*i].patch))); };
+      const auto height = [&](const auto& foot) { return height_of_point(reference.point(foot)); };
+      const auto top = reference.climb(reference.project(m_points[*i]), height);
+      largest = (std::max)({ largest, height_of_point(m_points[*i]), height(top) });
+    }
+    return largest;
+  }
+
 private:
   // Finds the faces of the remesh that are closest. Neighbors among the samples follow each other: the face of one is a
   // hint for the next.
   template <typename ConcurrencyTag>
-  std::vector<Index> find_closest_faces(const Remesh& remesh) const
+  std::vector<Index> find_closest_faces(const Patch_tree<Flat_triangle>& tree) const
   {
     std::vector<Index> closest(m_points.size());
-    if(closest.empty())
-      return closest;
-    std::vector<Flat_triangle> triangles(remesh.number_of_faces());
-    for(std::size_t f = 0; f < triangles.size(); ++f)
-      triangles[f] = Flat_triangle(remesh.triangle(f));
-    const Patch_tree<Flat_triangle> tree(std::move(triangles));
     constexpr std::size_t block_size = 64;
     for_each_block<ConcurrencyTag>(closest.size(), block_size, [&](std::size_t begin, std::size_t end) {
       Index hint = no_index;
@@ -132,6 +175,19 @@ private:
         closest[i] = hint = tree.project(m_points[i], hint).patch;
     });
     return closest;
+  }
+
+  template <typename ConcurrencyTag, typename Reference>
+  Approximation_error measure(const Reference& reference, const Patch_tree<Flat_triangle>& tree) const
+  {
+    std::vector<double> distances(m_points.size());
+    const auto integral = sum_over_indices<ConcurrencyTag, Error_integral>(m_points.size(), [&](std::size_t i) {
+      distances[i] = norm(m_points[i] - tree.point(m_feet[i]));
+      return Error_integral{ 1, distances[i], square(distances[i]), distances[i] };
+    });
+    Approximation_error error = integral.error();
+    error.max = largest_distance(reference, tree, distances);
+    return error;
   }
 
   void group_by_face(const std::size_t number_of_faces)

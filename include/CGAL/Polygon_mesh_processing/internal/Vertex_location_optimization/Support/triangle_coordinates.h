@@ -38,6 +38,18 @@ inline Point point_at(const std::array<Point, 3>& t, const Coordinates& x)
   return t[0] + (x.u * (t[1] - t[0]) + x.v * (t[2] - t[0]));
 }
 
+// Points of a triangle that are spread evenly, as many as one likes: those with consecutive numbers follow the additive
+// recurrence by powers of the plastic number, of low discrepancy.
+inline Coordinates low_discrepancy_coordinates(const std::size_t number)
+{
+  constexpr double plastic_number = 1.3247179572447460; // the real root of x^3 = x + 1
+  constexpr double step_u = 1 / plastic_number, step_v = step_u / plastic_number;
+  double integer_part;
+  const double u = std::modf(0.5 + step_u * number, &integer_part);
+  const double v = std::modf(0.5 + step_v * number, &integer_part);
+  return u + v > 1 ? Coordinates{ 1 - u, 1 - v } : Coordinates{ u, v };
+}
+
 // Coordinate along [0, 1] of the point of the segment pq that is closest to x.
 inline double closest_on_segment(const Point& p, const Point& q, const Point& x)
 {

@@ -1,0 +1,151 @@
+// Copyright (c) 2026 The Vertex_location_optimization authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_DISTANCES_FROM_REFERENCE_H
+#define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_DISTANCES_FROM_REFERENCE_H
+
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Measure/Error_integral.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Remesh.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Sampling/Area_samples.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/for_each_index.h>
+
+#include <CGAL/Polygon_mesh_processing/Vertex_location_optimization_report.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
+
+// A point of the reference from which the remesh is too far away, and where the remesh is closest to it.
+struct Distant_sample
+{
+  Index initial_face; // with the vertices at the initial points
+  Index face;         // at the next points
+};
+
+// The distance from the reference to the remesh with its vertices at the next points, sampled.
+template <typename Reference>
+class Distances_from_reference
+{
+public:
+  Distances_from_reference(const Reference& reference, const Remesh& remesh, Area_samples samples)
+    : m_reference(reference), m_remesh(remesh), m_samples(std::move(samples)), m_distances(m_samples.size())
+  {}
+
+  bool empty() const { return m_samples.size() == 0; }
+
+  // measures the next points, by walking from the last closest points
+  template <typename ConcurrencyTag>
+  void measure()
+  {
+    for_each_index<ConcurrencyTag>(m_distances.size(), [&](std::size_t i) { measure_sample(i); });
+  }
+
+  // measures again the samples whose closest points are in these faces
+  template <typename ConcurrencyTag>
+  void update(const std::vector<Index>& faces)
+  {
+    std::vector<char> has_changed(m_remesh.number_of_faces(), false);
+    for(Index f : faces)
+      has_changed[f] = true;
+    for_each_index<ConcurrencyTag>(m_distances.size(), [&](std::size_t i) {
+      if(has_changed[m_samples.foot(i).patch])
+        measure_sample(i);
+    });
+  }
+
+  template <typename ConcurrencyTag>
+  Approximation_error error() const
+  {
+    return sum_over_indices<ConcurrencyTag, Error_integral>(m_distances.size(), [&](std::size_t i) {
+             return Error_integral{ 1, m_distances[i], square(m_distances[i]), m_distances[i] };
+           }).error();
+  }
+
+  // Calls f(face, d) for each sample, with the face that was closest at first, and by how much the distance has grown.
+  template <typename F>
+  void for_each_change(const F& f) const
+  {
+    for(std::size_t i = 0; i < m_distances.size(); ++i)
+    {
+      const Closest initial = closest(m_samples.point(i), m_remesh.initial_points, m_samples.foot(i));
+      f(initial.foot.patch, m_distances[i] - initial.distance);
+    }
+  }
+
+  // The largest distance, of the samples and of the points to which climbing from the largest of them leads.
+  double maximum() const
+  {
+    return m_samples.largest_distance(m_reference, make_face_tree(m_remesh, m_remesh.next_points), m_distances);
+  }
+
+  // The samples, and points between them to which climbing leads, whose distance exceeds `limit` and was less at first.
+  std::vector<Distant_sample> find_distant(const double limit) const
+  {
+    constexpr double close = 0.9; // relative to the limit; from samples of less climbing is not thought to lead above it
+    std::vector<Distant_sample> result;
+    std::vector<Index> candidates;
+    for(Index i = 0; i < m_distances.size(); ++i)
+      if(m_distances[i] > close * limit)
+        candidates.push_back(i);
+    if(candidates.empty())
+      return result;
+
+    const Patch_tree<Flat_triangle> tree = make_face_tree(m_remesh, m_remesh.next_points),
+                                    initial_tree = make_face_tree(m_remesh, m_remesh.initial_points);
+    for(Index i : candidates)
+    {
+      const auto distance_in = [&, hint = m_samples.foot(i).patch](const Patch_tree<Flat_triangle>& t, const Point& p) {
+        const Patch_foot foot = t.project(p, hint);
+        return Closest{ foot, norm(p - t.point(foot)) };
+      };
+      const Point p = m_samples.point(i);
+      if(!(distance_in(tree, p).distance > close * limit))
+        continue;
+      const auto height = [&](const auto& foot) { return distance_in(tree, m_reference.point(foot)).distance; };
+      for(const Point& q : { p, m_reference.point(m_reference.climb(m_reference.project(p), height)) })
+      {
+        const Closest now = distance_in(tree, q);
+        if(!(now.distance > limit))
+          continue;
+        const Closest initial = distance_in(initial_tree, q);
+        if(now.distance > initial.distance)
+          result.push_back({ initial.foot.patch, now.foot.patch });
+      }
+    }
+    return result;
+  }
+
+private:
+  struct Closest
+  {
+    Patch_foot foot;
+    double distance;
+  };
+
+  Closest closest(const Point& query, const std::vector<Point>& points, Patch_foot foot) const
+  {
+    walk_to_closest_point(m_remesh, points, query, foot);
+    return { foot, norm(query - point_at(m_remesh.triangle(foot.patch, points), foot.coordinates)) };
+  }
+
+  void measure_sample(std::size_t i)
+  {
+    const Closest result = closest(m_samples.point(i), m_remesh.next_points, m_samples.foot(i));
+    m_samples.set_foot(i, result.foot);
+    m_distances[i] = result.distance;
+  }
+
+  const Reference& m_reference;
+  const Remesh& m_remesh;
+  Area_samples m_samples;
+  std::vector<double> m_distances;
+};
+
+} // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
+
+#endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_DISTANCES_FROM_REFERENCE_H

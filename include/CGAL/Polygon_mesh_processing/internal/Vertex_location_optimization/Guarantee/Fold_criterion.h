@@ -1,0 +1,82 @@
+// Copyright (c) 2026 The Vertex_location_optimization authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_FOLD_CRITERION_H
+#define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_FOLD_CRITERION_H
+
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Remesh.h>
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
+
+// A face violates it if one of its edges is a spike: folded more sharply than all edges at its two ends were at first, and
+// than the reference turns under its two faces. `ReferenceNormals` is a functor f -> normals of the reference under face f.
+// A model of the criteria of `shorten_moves()`.
+template <typename ReferenceNormals>
+class Fold_criterion
+{
+public:
+  Fold_criterion(const Remesh& remesh, const ReferenceNormals& reference_normals)
+    : m_remesh(remesh), m_reference_normals(reference_normals), m_sharpest(remesh.points.size(), 1)
+  {
+    for(Index e = 0; e < remesh.edges.size(); ++e)
+      if(!remesh.is_border(e))
+      {
+        const double cosine = cosine_of_fold(e, remesh.initial_points);
+        for(Index i : remesh.edges[e])
+          m_sharpest[i] = (std::min)(m_sharpest[i], cosine);
+      }
+  }
+
+  bool is_violated_by(std::size_t f) const
+  {
+    const std::array<Index, 3>& edges = m_remesh.face_edges[f];
+    return std::any_of(edges.begin(), edges.end(), [&](Index e) { return is_spike(e); });
+  }
+
+  void update(std::size_t) {}
+
+private:
+  bool is_spike(Index e) const
+  {
+    constexpr double slack = CGAL_PI / 36, margin = CGAL_PI / 18; // 5 and 10 degrees, the latter for what is between samples
+    if(m_remesh.is_border(e))
+      return false;
+    const double cosine = cosine_of_fold(e, m_remesh.next_points);
+    if(cosine >= 0) // less than a right angle is no spike
+      return false;
+    const double fold = std::acos((std::max)(cosine, -1.));
+    const auto [i, j] = m_remesh.edges[e];
+    if(fold <= slack + std::acos(std::clamp((std::min)(m_sharpest[i], m_sharpest[j]), -1., 1.)))
+      return false;
+    const auto [c, d] = m_remesh.edge_corners[e];
+    const auto of_one = m_reference_normals(c / 3), of_other = m_reference_normals(d / 3);
+    const double limit = std::cos(fold - margin);
+    return std::none_of(of_one.begin(), of_one.end(), [&](const Vector& m) {
+      return std::any_of(of_other.begin(), of_other.end(), [&](const Vector& n) { return m * n <= limit; });
+    });
+  }
+
+  double cosine_of_fold(Index e, const std::vector<Point>& points) const
+  {
+    const auto [c, d] = m_remesh.edge_corners[e];
+    return normalized(m_remesh.area_normal(c / 3, points)) * normalized(m_remesh.area_normal(d / 3, points));
+  }
+
+  const Remesh& m_remesh;
+  const ReferenceNormals m_reference_normals;
+  std::vector<double> m_sharpest; // the cosine of the sharpest fold at each vertex at first
+};
+
+} // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
+
+#endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_FOLD_CRITERION_H

@@ -1,0 +1,65 @@
+// Copyright (c) 2026 The Vertex_location_optimization authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_INITIAL_QUALITY_H
+#define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_INITIAL_QUALITY_H
+
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Face_sampling.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Farthest_point.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Measure/Face_orientation.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Placement/Placement.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Remesh.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/for_each_index.h>
+
+#include <CGAL/Polygon_mesh_processing/Vertex_location_optimization_report.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
+
+// What the guarantee compares with: M_0.
+struct Initial_quality
+{
+  Approximation_error error;                // of the distance to the reference; its maximum is rather less than more
+  Approximation_error error_from_reference; // 0 if that is not sampled
+  std::vector<Face_orientation> orientations;
+};
+
+// Measures M_0 in the first iteration, when it has been sampled.
+template <typename ConcurrencyTag, typename Reference>
+Initial_quality measure_initial_quality(const Reference& reference,
+                                        const Remesh& remesh,
+                                        const Remesh_samples<Reference>& samples,
+                                        Initial_measure measure)
+{
+  const Face_sampling sampling(remesh, remesh.points);
+  std::vector<double> maxima(remesh.number_of_faces());
+  const auto integral = sum_over_indices<ConcurrencyTag, Error_integral>(remesh.number_of_faces(), [&](std::size_t f) {
+    std::array<typename Reference::Foot, 3> feet, midpoint_feet;
+    for(int k = 0; k < 3; ++k)
+    {
+      feet[k] = samples.vertices.hint(remesh.face(f)[k]);
+      midpoint_feet[k] = samples.midpoints.hint(remesh.face_edges[f][k]);
+    }
+    const Face_distances d = sampling.measure(reference, f, remesh.triangle(f), feet, midpoint_feet,
+                                              measure.distances.maximum_on_sides(remesh, f));
+    maxima[f] = (std::max)(d.max, measure.distances.maximum(remesh, f));
+    const double area = remesh.area(f);
+    return Error_integral{ area, area * d.mean, area * d.mean_square, maxima[f] };
+  });
+
+  Initial_quality quality{ integral.error(), measure.error_from_reference, std::move(measure.orientations) };
+  quality.error.max = largest_distance(reference, remesh, remesh.points, [&](std::size_t f) { return maxima[f]; },
+                                       [&](std::size_t f) { return samples.vertices.hint(remesh.first_vertex(f)); });
+  return quality;
+}
+
+} // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
+
+#endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_INITIAL_QUALITY_H

@@ -88,8 +88,6 @@ public:
                                    Smallest_angles::squared_sine(before));
   }
 
-  void update(std::size_t) {}
-
 private:
   const Remesh& m_remesh;
   const Smallest_angles& m_angles;

@@ -43,8 +43,6 @@ public:
     return std::any_of(edges.begin(), edges.end(), [&](Index e) { return is_spike(e); });
   }
 
-  void update(std::size_t) {}
-
 private:
   bool is_spike(Index e) const
   {

@@ -55,6 +55,14 @@ class Guarantee
     const Result_distances<Reference>& distances;
   };
 
+  struct Shape_criterion
+  {
+    bool is_violated_by(std::size_t f) const { return flips.is_violated_by(f) || folds.is_violated_by(f); }
+
+    Flip_criterion<Reference_normal> flips;
+    Fold_criterion<Reference_normals> folds;
+  };
+
 public:
   // `samples` and `area_samples` are those of the points of the remesh
   Guarantee(const Reference& reference,
@@ -68,7 +76,7 @@ public:
             Corrections& corrections)
     : m_initial(initial), m_distances(reference, remesh, std::move(samples)),
       m_distances_from_reference(reference, remesh, std::move(area_samples)), 
-      m_flips(remesh, smallest_angles, Reference_normal{ m_distances }), m_folds(remesh, Reference_normals{ m_distances }), m_allow_move(allow_move),
+      m_shapes{ { remesh, smallest_angles, Reference_normal{ m_distances } }, { remesh, Reference_normals{ m_distances } } }, m_allow_move(allow_move),
       m_new_intersections(remesh, find_self_intersections), m_remesh(remesh), m_corrections(corrections),
       m_is_worse(remesh.number_of_faces(), false), m_number_of_halvings(remesh.points.size(), 0)
   {}
@@ -116,8 +124,7 @@ private:
   {
     do
     {
-      shorten_moves<ConcurrencyTag>(m_remesh, m_remesh.initial_points, m_flips, m_corrections);
-      shorten_moves<ConcurrencyTag>(m_remesh, m_remesh.initial_points, m_folds, m_corrections);
+      shorten_moves<ConcurrencyTag>(m_remesh, m_remesh.initial_points, m_shapes, m_corrections);
     }
     while(refuse_moves(m_remesh, m_remesh.initial_points, m_allow_move, m_corrections));
   }
@@ -156,7 +163,7 @@ private:
 
   static bool is_lower(double mean, double initial)
   {
-    constexpr double accuracy = 0.003; // of a mean; what is gained must be more, or it may be none
+    constexpr double accuracy = 0.0075; // of the difference of two means; what is gained must be more, or it may be none
     return mean <= (1 - accuracy) * initial;
   }
 
@@ -255,8 +262,7 @@ private:
   const Initial_quality& m_initial;
   Result_distances<Reference> m_distances;
   Distances_from_reference<Reference> m_distances_from_reference;
-  Flip_criterion<Reference_normal> m_flips;
-  Fold_criterion<Reference_normals> m_folds;
+  Shape_criterion m_shapes;
   const AllowMove& m_allow_move;
   New_intersections<FindSelfIntersections> m_new_intersections;
   Remesh& m_remesh;

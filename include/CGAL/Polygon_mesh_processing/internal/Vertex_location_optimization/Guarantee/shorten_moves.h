@@ -76,10 +76,9 @@ bool refuse_moves(
 // next points, of the vertex with the largest C_i - n_i, where C_i is the number of such faces at the vertex and n_i how
 // often it was corrected; the smallest index first where these are equal. Notes the vertices whose moves it shortens.
 //
-// `criterion.is_violated_by(f)` says whether face f violates it, `criterion.update(i)` tells it that the next point of
-// vertex i has changed. A face whose vertices are all at their origins stays as it is.
+// `criterion.is_violated_by(f)` says whether face f violates it. A face whose vertices are all at their origins does not.
 template <typename ConcurrencyTag, typename Criterion>
-void shorten_moves(Remesh& remesh, const std::vector<Point>& origins, Criterion& criterion, Corrections& corrections)
+void shorten_moves(Remesh& remesh, const std::vector<Point>& origins, const Criterion& criterion, Corrections& corrections)
 {
   const std::vector<Index> faces =
     find_indices<ConcurrencyTag>(remesh.number_of_faces(), [&](std::size_t f) { return criterion.is_violated_by(f); });
@@ -117,7 +116,6 @@ void shorten_moves(Remesh& remesh, const std::vector<Point>& origins, Criterion&
 
     corrections.add(i, Correction::SHAPE);
     halve_move(origins[i], remesh.next_points[i], number_of_corrections[i]);
-    criterion.update(i);
     remesh.for_each_corner(i, [&](Index c) { is_violator[c / 3] = criterion.is_violated_by(c / 3); });
 
     for(Index j : neighborhood)

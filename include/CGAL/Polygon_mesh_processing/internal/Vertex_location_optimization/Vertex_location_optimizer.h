@@ -15,7 +15,6 @@
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Remesh.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <memory>
 #include <utility>
@@ -122,17 +121,14 @@ private:
 
     if(!start_phase(Phase::CORRECT_FLIPS))
       return false;
-    correct_flips(placement.samples());
+    correct_flips();
     return true;
   }
 
-  void correct_flips(const Remesh_samples<Reference>& samples)
+  void correct_flips()
   {
     keep_points_finite();
-    Flip_criterion criterion(m_remesh, m_smallest_angles, [&](std::size_t f) {
-      const std::array<Index, 3>& v = m_remesh.face(f);
-      return normalized(samples.vertices.normal(v[0]) + samples.vertices.normal(v[1]) + samples.vertices.normal(v[2]));
-    });
+    const Flip_criterion criterion(m_remesh, m_smallest_angles);
     do
       shorten_moves<ConcurrencyTag>(m_remesh, m_remesh.points, criterion, m_corrections);
     while(refuse_moves(m_remesh, m_remesh.points, m_allow_move, m_corrections));

@@ -6,6 +6,7 @@
 #ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_FARTHEST_POINT_H
 #define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_FARTHEST_POINT_H
 
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/walk_or_search.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/Reference_access.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Remesh.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/geometry.h>
@@ -42,7 +43,8 @@ public:
   {
     const double size = radius(t);
     const int min_level = level_of_reference(t, hint);
-    Part whole{ { sample(t, { 0, 0 }, hint), sample(t, { 1, 0 }, hint), sample(t, { 0, 1 }, hint) }, 1, 0 };
+    constexpr double near = 0; // the corners are searched for
+    Part whole{ { sample(t, { 0, 0 }, hint, near), sample(t, { 1, 0 }, hint, near), sample(t, { 0, 1 }, hint, near) }, 1, 0 };
     double largest = bound;
     const auto is_done = [&] { return is_any_enough && largest > bound; };
     boost::container::small_vector<Part, 64> parts{ whole };
@@ -54,7 +56,7 @@ public:
       parts.pop_back();
       if(part.level >= min_level && upper_bound(part, size) <= (1 + tolerance) * largest)
         continue;
-      for(const Part& child : cut(t, part))
+      for(const Part& child : cut(t, part, largest))
       {
         for(const Sample& corner : child.corners)
           largest = (std::max)(largest, corner.distance);
@@ -87,10 +89,10 @@ private:
   // reference may be between the corners of a part.
   int level_of_reference(const Triangle& t, const Foot& hint) const
   {
-    constexpr int max_level_of_reference = 3; // it trades time for peaks of references that are much finer than the remesh
+    constexpr int min_level = 2, max_level_of_reference = 3; // they trade time for narrow peaks
     const double patch_area = m_reference.area_at(hint);
-    double area = norm(area_normal(t[0], t[1], t[2])) / 2;
-    int level = 1;
+    double area = norm(area_normal(t[0], t[1], t[2])) / 2 / (1 << 2 * (min_level - 1));
+    int level = min_level;
     for(; level < max_level_of_reference && patch_area > 0 && area > 4 * patch_area; area /= 4)
       ++level;
     return level;
@@ -108,19 +110,20 @@ private:
     return (std::max)({ c[0].distance, c[1].distance, c[2].distance }) + part.slope * std::ldexp(size, -part.level);
   }
 
-  Sample sample(const Triangle& t, const Coordinates& x, const Foot& hint) const
+  Sample sample(const Triangle& t, const Coordinates& x, const Foot& hint, const double near) const
   {
     const Point p = point_at(t, x);
-    const Foot foot = m_reference.project(p, hint);
+    const Foot foot = walk_or_search(m_reference, p, hint, near);
     return { x, foot, distance_to_foot(p, m_reference, foot) };
   }
 
-  // the four triangles between the corners of a part and the midpoints of its sides
-  std::array<Part, 4> cut(const Triangle& t, const Part& part) const
+  // The four triangles between the corners of a part and the midpoints of its sides. Distances above `largest` are exact.
+  std::array<Part, 4> cut(const Triangle& t, const Part& part, const double largest) const
   {
     const std::array<Sample, 3>& c = part.corners;
+    const double near = (std::min)(largest, near_by((std::max)({ c[0].distance, c[1].distance, c[2].distance })));
     const auto middle = [&](const Sample& a, const Sample& b) {
-      return sample(t, { (a.coordinates.u + b.coordinates.u) / 2, (a.coordinates.v + b.coordinates.v) / 2 }, a.foot);
+      return sample(t, { (a.coordinates.u + b.coordinates.u) / 2, (a.coordinates.v + b.coordinates.v) / 2 }, a.foot, near);
     };
     const std::array<Sample, 3> m{ { middle(c[1], c[2]), middle(c[2], c[0]), middle(c[0], c[1]) } };
     std::array<Part, 4> children{ { { { { c[0], m[2], m[1] } }, 0, 0 },
@@ -155,7 +158,7 @@ private:
     return result;
   }
 
-  static constexpr double safety = 1.5; // it trades time for what may be missed between the corners
+  static constexpr double safety = 2; // it trades time for what may be missed between the corners
 
   const Reference& m_reference;
 };

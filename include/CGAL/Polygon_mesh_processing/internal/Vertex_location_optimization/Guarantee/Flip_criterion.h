@@ -61,15 +61,11 @@ private:
 };
 
 // A face violates it if it is flipped: the next points turn its normal by more than 60 degrees from that of the initial
-// ones, and not to that of the reference; or if it collapses. A face without an area at first never does.
-// `ReferenceNormal` is a functor f -> the normal of the reference at face f. A model of the criteria of `shorten_moves()`.
-template <typename ReferenceNormal>
+// ones; or if it collapses. A face without an area at first never does. A model of the criteria of `shorten_moves()`.
 class Flip_criterion
 {
 public:
-  Flip_criterion(const Remesh& remesh, const Smallest_angles& angles, const ReferenceNormal& reference_normal)
-    : m_remesh(remesh), m_angles(angles), m_reference_normal(reference_normal)
-  {}
+  Flip_criterion(const Remesh& remesh, const Smallest_angles& angles) : m_remesh(remesh), m_angles(angles) {}
 
   bool is_violated_by(std::size_t f) const
   {
@@ -81,17 +77,14 @@ public:
     const double area_before = norm(m), area_after = norm(n);
     if(!(area_before > 0))
       return false;
-    if(!(m * n > cosine_of_flip * area_before * area_after) &&
-       !(m_reference_normal(f) * n > cosine_of_flip * area_after))
-      return true;
-    return m_angles.have_collapsed(m_remesh.face(f), Smallest_angles::squared_sine(after),
+    return !(m * n > cosine_of_flip * area_before * area_after) ||
+           m_angles.have_collapsed(m_remesh.face(f), Smallest_angles::squared_sine(after),
                                    Smallest_angles::squared_sine(before));
   }
 
 private:
   const Remesh& m_remesh;
   const Smallest_angles& m_angles;
-  const ReferenceNormal m_reference_normal;
 };
 
 } // namespace CGAL::Polygon_mesh_processing::internal::vertex_location

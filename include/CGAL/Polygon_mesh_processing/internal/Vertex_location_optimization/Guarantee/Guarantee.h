@@ -41,13 +41,6 @@ class Guarantee
 {
   using Indices = std::vector<Index>;
 
-  struct Reference_normal
-  {
-    Vector operator()(std::size_t f) const { return distances.reference_normals(f)[3]; }
-
-    const Result_distances<Reference>& distances;
-  };
-
   struct Reference_normals
   {
     auto operator()(std::size_t f) const { return distances.reference_normals(f); }
@@ -59,7 +52,7 @@ class Guarantee
   {
     bool is_violated_by(std::size_t f) const { return flips.is_violated_by(f) || folds.is_violated_by(f); }
 
-    Flip_criterion<Reference_normal> flips;
+    Flip_criterion flips;
     Fold_criterion<Reference_normals> folds;
   };
 
@@ -76,7 +69,7 @@ public:
             Corrections& corrections)
     : m_initial(initial), m_distances(reference, remesh, std::move(samples)),
       m_distances_from_reference(reference, remesh, std::move(area_samples)), 
-      m_shapes{ { remesh, smallest_angles, Reference_normal{ m_distances } }, { remesh, Reference_normals{ m_distances } } }, m_allow_move(allow_move),
+      m_shapes{ { remesh, smallest_angles }, { remesh, Reference_normals{ m_distances } } }, m_allow_move(allow_move),
       m_new_intersections(remesh, find_self_intersections), m_remesh(remesh), m_corrections(corrections),
       m_is_worse(remesh.number_of_faces(), false), m_number_of_halvings(remesh.points.size(), 0)
   {}

@@ -60,7 +60,7 @@ public:
                          const double largest) const
   {
     const bool walks = Reference::walks && is_smooth(reference, feet, midpoint_feet);
-    const double near = near_by(largest);
+    const double near = near_by(largest, std::sqrt(norm(area_normal(t[0], t[1], t[2]))));
     Face_distances result;
     for_each_point(f, [&](const Coordinates& x) {
       const Point p = point_at(t, x);

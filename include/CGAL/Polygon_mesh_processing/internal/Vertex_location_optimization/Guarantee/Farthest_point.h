@@ -121,7 +121,7 @@ private:
   std::array<Part, 4> cut(const Triangle& t, const Part& part, const double largest) const
   {
     const std::array<Sample, 3>& c = part.corners;
-    const double near = (std::min)(largest, near_by((std::max)({ c[0].distance, c[1].distance, c[2].distance })));
+    const double near = (std::min)(largest, near_by((std::max)({ c[0].distance, c[1].distance, c[2].distance }), radius(t)));
     const auto middle = [&](const Sample& a, const Sample& b) {
       return sample(t, { (a.coordinates.u + b.coordinates.u) / 2, (a.coordinates.v + b.coordinates.v) / 2 }, a.foot, near);
     };

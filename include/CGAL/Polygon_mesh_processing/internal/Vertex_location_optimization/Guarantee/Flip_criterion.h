@@ -16,29 +16,26 @@
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
-// What the faces must not become less than: the smallest angles of M_0.
+// The smallest angles of the faces of M_0.
 class Smallest_angles
 {
 public:
   explicit Smallest_angles(const Mesh_arrays& mesh) : m_at_vertices(mesh.points.size(), 1)
   {
-    constexpr float sine_of_collapse = 0.17364818f; // of 10 degrees
-    float smallest = 1;
     for(std::size_t f = 0; f < mesh.number_of_faces(); ++f)
-    {
-      const float sine2 = static_cast<float>(squared_sine(mesh.triangle(f)));
-      smallest = (std::min)(smallest, sine2);
       for(Index i : mesh.face(f))
-        m_at_vertices[i] = (std::min)(m_at_vertices[i], sine2);
-    }
-    m_threshold = (std::max)(square(sine_of_collapse), squared_sine_of_half(smallest));
+        m_at_vertices[i] = (std::min)(m_at_vertices[i], static_cast<float>(squared_sine(mesh.triangle(f))));
   }
 
-  // Whether face f with its corners at `t` has collapsed: to a smallest angle below 10 degrees, or below half of the
-  // smallest of the mesh if that is larger; below half of what it was; and below those of all faces at its vertices.
-  bool have_collapsed(const std::array<Index, 3>& face, const double sine2, const double initial_sine2) const
+  // Whether a face has collapsed, given the squared sines of its smallest angle: to less than 10 degrees, less than half of
+  // what it was, and less than in all faces around it at first.
+  bool has_collapsed(const std::array<Index, 3>& face, const double sine2, const double initial_sine2) const
   {
-    return sine2 < m_threshold && sine2 < squared_sine_of_half(initial_sine2) &&
+    constexpr double sine_of_collapse = 0.17364817766693036; // of 10 degrees
+    if(sine2 >= square(sine_of_collapse))
+      return false;
+    const double initial_cosine = std::sqrt((std::max)(0., 1 - initial_sine2));
+    return sine2 < initial_sine2 / (2 * (1 + initial_cosine)) && // of half the angle
            std::all_of(face.begin(), face.end(), [&](Index i) { return sine2 < m_at_vertices[i]; });
   }
 
@@ -50,14 +47,7 @@ public:
   }
 
 private:
-  template <typename FT>
-  static FT squared_sine_of_half(FT sine2)
-  {
-    return sine2 / (2 * (1 + std::sqrt((std::max)(FT(0), 1 - sine2))));
-  }
-
   std::vector<float> m_at_vertices; // the squared sine of the smallest angle of the faces at each vertex
-  float m_threshold;
 };
 
 // A face violates it if it is flipped: the next points turn its normal by more than 60 degrees from that of the initial
@@ -78,8 +68,8 @@ public:
     if(!(area_before > 0))
       return false;
     return !(m * n > cosine_of_flip * area_before * area_after) ||
-           m_angles.have_collapsed(m_remesh.face(f), Smallest_angles::squared_sine(after),
-                                   Smallest_angles::squared_sine(before));
+           m_angles.has_collapsed(m_remesh.face(f), Smallest_angles::squared_sine(after),
+                                  Smallest_angles::squared_sine(before));
   }
 
 private:

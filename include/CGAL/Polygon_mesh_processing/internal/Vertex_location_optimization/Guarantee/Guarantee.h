@@ -126,10 +126,12 @@ private:
   // at first, or that oppose more normals of the reference than at first.
   void find_worse_faces(const Indices& faces)
   {
+    constexpr double margin = 0.99; // for what is between the samples
+    const double limit = margin * m_initial.error.max;
     for_each_index<ConcurrencyTag>(faces.size(), [&](std::size_t k) {
       const Index f = faces[k];
       m_is_worse[f] = has_moved(f) && (m_distances.orientation(f) > m_initial.orientations[f] ||
-                                       m_distances.exceeds(f, m_initial.error.max));
+                                       m_distances.exceeds(f, limit));
     });
   }
 

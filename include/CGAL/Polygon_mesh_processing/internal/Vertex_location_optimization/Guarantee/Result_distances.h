@@ -181,7 +181,7 @@ private:
       samples.offsets[k] = samples.offsets[k] - (to - from);
     else
     {
-      const double near = near_by(norm(samples.offsets[k])) + std::sqrt(length2) / 2;
+      const double near = near_by(norm(samples.offsets[k]) + std::sqrt(length2) / 2, m_remesh.mean_edge_length);
       const Foot foot = walk_or_search(m_reference, to, samples.hints[k], near);
       samples.offsets[k] = m_reference.point(foot) - to;
       samples.hints[k] = foot;
@@ -189,17 +189,11 @@ private:
     return norm(samples.offsets[k]);
   }
 
+  // at the closest point: on a thin part that of another sheet has the opposite normal
   void measure_barycenter(std::size_t f)
   {
     const Point p = point_at(m_remesh.triangle(f, m_remesh.next_points), barycenter_coordinates);
-    const Foot foot = walk_or_search(m_reference, p, barycenter_hint(f), near_by(m_distances.maximum_on_sides(m_remesh, f)));
-    set_barycenter(f, p, foot);
-    if(m_orientations[f] != Face_orientation::CONSISTENT)
-      set_barycenter(f, p, m_reference.project(p, foot));
-  }
-
-  void set_barycenter(std::size_t f, const Point& p, const Foot& foot)
-  {
+    const Foot foot = m_reference.project(p, barycenter_hint(f));
     m_distances.at_barycenters[f] = distance_to_foot(p, m_reference, foot);
     m_orientations[f] = orientation_at(m_reference, foot, m_remesh.area_normal(f, m_remesh.next_points));
   }

@@ -8,6 +8,8 @@
 
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/geometry.h>
 
+#include <algorithm>
+
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
 // The closest point: by walking if that leads to it beyond doubt, to a point that is not farther away than `near` and whose
@@ -27,11 +29,12 @@ walk_or_search(const Reference& reference, const Point& p, const typename Refere
   return is_sure ? foot : reference.project(p, foot);
 }
 
-// How far away a closest point may be near to others with these distances, or it is doubtful.
-inline double near_by(const double largest_distance)
+// How far away a closest point may be that walking leads to, near to points with these distances on a face of this size.
+inline double near_by(const double largest_distance, const double size)
 {
-  constexpr double factor = 2.5; // a distance that is smooth changes less; it trades time for exactness
-  return factor * largest_distance;
+  constexpr double factor = 2.5; // a distance that is smooth changes less
+  constexpr double far = 0.1;    // relative to the size; other sheets are thought to be farther away
+  return (std::min)(factor * largest_distance, far * size); // both trade time for exactness
 }
 
 } // namespace CGAL::Polygon_mesh_processing::internal::vertex_location

@@ -55,9 +55,9 @@ public:
     // also if the visitor has ended the iterations: what they have reached is no result before it is checked
     m_visitor.start_phase(Phase::ENFORCE_GUARANTEE);
     auto samples = std::move(placement->samples()).take_offsets();
-    Area_samples area_samples;
+    Points_and_faces area_samples;
     if(m_options.guarantee_both_directions)
-      area_samples = std::move(placement->area_samples());
+      area_samples = std::move(placement->area_samples()).take();
     placement.reset();
     Guarantee<ConcurrencyTag, Reference, AllowMove, FindSelfIntersections> guarantee(
       m_reference, m_initial_quality, m_smallest_angles, std::move(samples), std::move(area_samples), m_allow_move, m_find_self_intersections,

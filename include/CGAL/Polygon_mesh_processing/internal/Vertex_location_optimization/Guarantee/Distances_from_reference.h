@@ -32,11 +32,11 @@ template <typename Reference>
 class Distances_from_reference
 {
 public:
-  Distances_from_reference(const Reference& reference, const Remesh& remesh, Area_samples samples)
-    : m_reference(reference), m_remesh(remesh), m_samples(std::move(samples)), m_distances(m_samples.size())
+  Distances_from_reference(const Reference& reference, const Remesh& remesh, Points_and_faces samples)
+    : m_reference(reference), m_remesh(remesh), m_samples(std::move(samples)), m_distances(m_samples.points.size())
   {}
 
-  bool empty() const { return m_samples.size() == 0; }
+  bool empty() const { return m_distances.empty(); }
 
   // measures the next points, by walking from the last closest points
   template <typename ConcurrencyTag>
@@ -53,7 +53,7 @@ public:
     for(Index f : faces)
       has_changed[f] = true;
     for_each_index<ConcurrencyTag>(m_distances.size(), [&](std::size_t i) {
-      if(has_changed[m_samples.foot(i).patch])
+      if(has_changed[m_samples.faces[i]])
         measure_sample(i);
     });
   }
@@ -72,15 +72,16 @@ public:
   {
     for(std::size_t i = 0; i < m_distances.size(); ++i)
     {
-      const Closest initial = closest(m_samples.point(i), m_remesh.initial_points, m_samples.foot(i));
-      f(initial.foot.patch, m_distances[i] - initial.distance);
+      const Closest initial = closest(m_samples.points[i], m_remesh.initial_points, m_samples.faces[i]);
+      f(initial.face, m_distances[i] - initial.distance);
     }
   }
 
   // The largest distance, of the samples and of the points to which climbing from the largest of them leads.
   double maximum() const
   {
-    return m_samples.largest_distance(m_reference, make_face_tree(m_remesh, m_remesh.next_points), m_distances);
+    return largest_distance_from(m_reference, make_face_tree(m_remesh, m_remesh.next_points), m_samples.points, m_distances,
+                                 [&](Index i) { return m_samples.faces[i]; });
   }
 
   // The samples, and points between them to which climbing leads, whose distance exceeds `limit` and was less at first.
@@ -99,11 +100,11 @@ public:
                                     initial_tree = make_face_tree(m_remesh, m_remesh.initial_points);
     for(Index i : candidates)
     {
-      const auto distance_in = [&, hint = m_samples.foot(i).patch](const Patch_tree<Flat_triangle>& t, const Point& p) {
+      const auto distance_in = [&, hint = m_samples.faces[i]](const Patch_tree<Flat_triangle>& t, const Point& p) {
         const Patch_foot foot = t.project(p, hint);
-        return Closest{ foot, norm(p - t.point(foot)) };
+        return Closest{ foot.patch, norm(p - t.point(foot)) };
       };
-      const Point p = m_samples.point(i);
+      const Point p = m_samples.points[i];
       if(!(distance_in(tree, p).distance > close * limit))
         continue;
       const auto height = [&](const auto& foot) { return distance_in(tree, m_reference.point(foot)).distance; };
@@ -114,7 +115,7 @@ public:
           continue;
         const Closest initial = distance_in(initial_tree, q);
         if(now.distance > initial.distance)
-          result.push_back({ initial.foot.patch, now.foot.patch });
+          result.push_back({ initial.face, now.face });
       }
     }
     return result;
@@ -123,26 +124,27 @@ public:
 private:
   struct Closest
   {
-    Patch_foot foot;
+    Index face;
     double distance;
   };
 
-  Closest closest(const Point& query, const std::vector<Point>& points, Patch_foot foot) const
+  Closest closest(const Point& query, const std::vector<Point>& points, Index face) const
   {
+    Patch_foot foot{ face, Coordinates() };
     walk_to_closest_point(m_remesh, points, query, foot);
-    return { foot, norm(query - point_at(m_remesh.triangle(foot.patch, points), foot.coordinates)) };
+    return { foot.patch, norm(query - point_at(m_remesh.triangle(foot.patch, points), foot.coordinates)) };
   }
 
   void measure_sample(std::size_t i)
   {
-    const Closest result = closest(m_samples.point(i), m_remesh.next_points, m_samples.foot(i));
-    m_samples.set_foot(i, result.foot);
+    const Closest result = closest(m_samples.points[i], m_remesh.next_points, m_samples.faces[i]);
+    m_samples.faces[i] = result.face;
     m_distances[i] = result.distance;
   }
 
   const Reference& m_reference;
   const Remesh& m_remesh;
-  Area_samples m_samples;
+  Points_and_faces m_samples;
   std::vector<double> m_distances;
 };
 

@@ -21,7 +21,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <set>
 #include <utility>
 #include <vector>
@@ -62,7 +61,7 @@ public:
             const Initial_quality& initial,
             const Smallest_angles& smallest_angles,
             Remesh_sample_offsets<typename Reference::Hint> samples,
-            Area_samples area_samples,
+            Points_and_faces area_samples,
             const AllowMove& allow_move,
             const FindSelfIntersections& find_self_intersections,
             Remesh& remesh,
@@ -79,9 +78,7 @@ public:
     keep_shapes();
     m_distances.template measure<ConcurrencyTag>();
     m_distances_from_reference.template measure<ConcurrencyTag>();
-    Indices all(m_remesh.number_of_faces());
-    std::iota(all.begin(), all.end(), Index(0));
-    find_worse_faces(all);
+    for_each_index<ConcurrencyTag>(m_is_worse.size(), [&](std::size_t f) { m_is_worse[f] = is_worse(f); });
     while(shorten(vertices_with_most_worse_faces(), Correction::ERROR) ||
           shorten(vertices_that_raise_mean(), Correction::ERROR) ||
           shorten(vertices_that_raise_maximum_from_reference(), Correction::ERROR) ||
@@ -91,7 +88,7 @@ public:
       keep_shapes();
       const Indices changed = m_distances.template update<ConcurrencyTag>();
       m_distances_from_reference.template update<ConcurrencyTag>(changed);
-      find_worse_faces(changed);
+      for_each_index<ConcurrencyTag>(changed.size(), [&](std::size_t k) { m_is_worse[changed[k]] = is_worse(changed[k]); });
     }
   }
 
@@ -122,20 +119,16 @@ private:
     while(refuse_moves(m_remesh, m_remesh.initial_points, m_allow_move, m_corrections));
   }
 
-  // Finds among these faces those that have moved and whose largest distance exceeds that of the initial remesh and its own
-  // at first, or that oppose more normals of the reference than at first.
-  void find_worse_faces(const Indices& faces)
+  // Whether face f has moved and its largest distance exceeds that of the initial remesh and its own at first, or it opposes
+  // more normals of the reference than at first.
+  bool is_worse(std::size_t f) const
   {
     constexpr double margin = 0.99; // for what is between the samples
-    const double limit = margin * m_initial.error.max;
-    for_each_index<ConcurrencyTag>(faces.size(), [&](std::size_t k) {
-      const Index f = faces[k];
-      m_is_worse[f] = has_moved(f) && (m_distances.orientation(f) > m_initial.orientations[f] ||
-                                       m_distances.exceeds(f, limit));
-    });
+    return has_moved(f) && (m_distances.orientation(f) > m_initial.orientations[f] ||
+                            m_distances.exceeds(f, margin * m_initial.error.max));
   }
 
-  // of each of these faces the vertex with the most of them
+  // of each face that is worse the vertex with the most of them
   Indices vertices_with_most_worse_faces() const
   {
     const auto key = [&](Index i) {

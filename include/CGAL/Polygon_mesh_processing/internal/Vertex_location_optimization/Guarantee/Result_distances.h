@@ -9,7 +9,6 @@
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Measure/Error_integral.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Face_sampling.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Farthest_point.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Measure/Distance_samples.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Measure/Face_orientation.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Remesh.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Sampling/Remesh_samples.h>
@@ -31,18 +30,44 @@ class Result_distances
 {
   using Foot = typename Reference::Foot;
   using Hint = typename Reference::Hint;
-  using Samples = Sample_offsets<Hint>;
+
+  // The distances at some queries, and where to search for their closest points.
+  struct Samples
+  {
+    explicit Samples(Sample_offsets<Hint>& samples) : hints(std::move(samples.hints)), distances(samples.offsets.size())
+    {
+      std::transform(samples.offsets.begin(), samples.offsets.end(), distances.begin(), norm);
+      samples.offsets = {};
+    }
+
+    // for query k, which goes from `from` to `to`
+    void measure(std::size_t k, const Result_distances& of_remesh, const Point& from, const Point& to)
+    {
+      const double near = near_by(distances[k] + norm(to - from) / 2, of_remesh.m_remesh.mean_edge_length);
+      const Foot foot = walk_or_search(of_remesh.m_reference, to, hints[k], near);
+      distances[k] = distance_to_foot(to, of_remesh.m_reference, foot);
+      hints[k] = foot;
+    }
+
+    std::vector<Hint> hints;
+    std::vector<double> distances;
+  };
+
+  // in single precision, as there are many
+  struct Face
+  {
+    float mean, mean_square, max;
+    Face_orientation orientation; // at the barycenter
+  };
 
 public:
   // `samples` are those of the points of the remesh, with which it goes on
   Result_distances(const Reference& reference, const Remesh& remesh, Remesh_sample_offsets<Hint> samples)
-    : m_reference(reference), m_remesh(remesh), m_sampling(remesh, remesh.initial_points),
-      m_vertices(std::move(samples.vertices)), m_midpoints(std::move(samples.midpoints)), m_points(remesh.points),
-      m_distances(remesh), m_faces(remesh.number_of_faces()), m_orientations(remesh.number_of_faces())
+    : m_reference(reference), m_remesh(remesh), m_sampling(remesh, remesh.initial_points), m_vertices(samples.vertices),
+      m_midpoints(samples.midpoints), m_points(remesh.points), m_faces(remesh.number_of_faces())
   {}
 
-  // Measures the next points. Each distance is that to the point where walking from the foot of the last iteration leads,
-  // or to the last sample if the query has moved by nothing to speak of since that was taken; rather more than less.
+  // Measures the next points.
   template <typename ConcurrencyTag>
   void measure()
   {
@@ -103,7 +128,7 @@ public:
   }
 
   // at the barycenter of face f
-  Face_orientation orientation(std::size_t f) const { return m_orientations[f]; }
+  Face_orientation orientation(std::size_t f) const { return m_faces[f].orientation; }
 
   // of the reference, at the points closest to the corners and the barycenter of face f
   std::array<Vector, 4> reference_normals(std::size_t f) const
@@ -114,7 +139,7 @@ public:
   }
 
   // the largest of the samples on face f
-  double sampled_maximum(std::size_t f) const { return (std::max)(m_faces[f].max, m_distances.maximum(m_remesh, f)); }
+  double sampled_maximum(std::size_t f) const { return (std::max)(double(m_faces[f].max), maximum_on_sides(f)); }
 
   double maximum() const
   {
@@ -151,51 +176,35 @@ private:
       midpoint_feet[k] = m_midpoints.hints[m_remesh.face_edges[f][k]];
     }
     return m_sampling.measure(m_reference, f, m_remesh.triangle(f, points), feet, midpoint_feet,
-                              m_distances.maximum_on_sides(m_remesh, f));
+                              maximum_on_sides(f));
   }
 
-  void measure_vertex(std::size_t i)
+  double maximum_on_sides(std::size_t f) const
   {
-    m_distances.at_vertices[i] = move(m_vertices, i, m_points[i], m_remesh.next_points[i]);
+    double result = 0;
+    for(int k = 0; k < 3; ++k)
+      result = (std::max)({ result, m_vertices.distances[m_remesh.face(f)[k]],
+                            m_midpoints.distances[m_remesh.face_edges[f][k]] });
+    return result;
   }
+
+  void measure_vertex(std::size_t i) { m_vertices.measure(i, *this, m_points[i], m_remesh.next_points[i]); }
 
   void measure_midpoint(std::size_t e)
   {
-    m_distances.at_midpoints[e] =
-      move(m_midpoints, e, m_remesh.midpoint(e, m_points), m_remesh.midpoint(e, m_remesh.next_points));
+    m_midpoints.measure(e, *this, m_remesh.midpoint(e, m_points), m_remesh.midpoint(e, m_remesh.next_points));
   }
 
+  // The orientation is that at the closest point: on a thin part that of another sheet has the opposite normal.
   void measure_face(std::size_t f)
   {
-    m_faces[f] = sample(f, m_remesh.next_points);
-    measure_barycenter(f);
-  }
-
-  // Takes sample k, of a query that goes from `from` to `to`, at the point to which walking from its foot leads; returns the
-  // distance.
-  double move(Samples& samples, std::size_t k, const Point& from, const Point& to)
-  {
-    constexpr double negligible = 1e-3; // relative to the mean edge length; it saves the search where the run has converged
-    const double length2 = squared_distance(from, to);
-    if(length2 <= square(negligible * m_remesh.mean_edge_length))
-      samples.offsets[k] = samples.offsets[k] - (to - from);
-    else
-    {
-      const double near = near_by(norm(samples.offsets[k]) + std::sqrt(length2) / 2, m_remesh.mean_edge_length);
-      const Foot foot = walk_or_search(m_reference, to, samples.hints[k], near);
-      samples.offsets[k] = m_reference.point(foot) - to;
-      samples.hints[k] = foot;
-    }
-    return norm(samples.offsets[k]);
-  }
-
-  // at the closest point: on a thin part that of another sheet has the opposite normal
-  void measure_barycenter(std::size_t f)
-  {
+    const Face_distances d = sample(f, m_remesh.next_points);
     const Point p = point_at(m_remesh.triangle(f, m_remesh.next_points), barycenter_coordinates);
     const Foot foot = m_reference.project(p, barycenter_hint(f));
-    m_distances.at_barycenters[f] = distance_to_foot(p, m_reference, foot);
-    m_orientations[f] = orientation_at(m_reference, foot, m_remesh.area_normal(f, m_remesh.next_points));
+    const double at_barycenter = distance_to_foot(p, m_reference, foot);
+    m_faces[f] = { static_cast<float>(d.mean), static_cast<float>(d.mean_square),
+                   static_cast<float>((std::max)(d.max, at_barycenter)),
+                   orientation_at(m_reference, foot, m_remesh.area_normal(f, m_remesh.next_points)) };
   }
 
   const Reference& m_reference;
@@ -203,9 +212,7 @@ private:
   const Face_sampling m_sampling;
   Samples m_vertices, m_midpoints;
   std::vector<Point> m_points; // of the vertices, for which the samples were taken
-  Distance_samples m_distances;
-  std::vector<Face_distances> m_faces;
-  std::vector<Face_orientation> m_orientations; // at the barycenters
+  std::vector<Face> m_faces;
 };
 
 } // namespace CGAL::Polygon_mesh_processing::internal::vertex_location

@@ -61,6 +61,40 @@ inline Patch_tree<Flat_triangle> make_face_tree(const Remesh& remesh, const std:
   return Patch_tree<Flat_triangle>(std::move(triangles));
 }
 
+// The largest distance from the reference to the faces in `tree`, of `points` and of the points to which climbing from those
+// with the largest of `distances` leads. `face(i)` is a face near to point i.
+template <typename Reference, typename Face>
+double largest_distance_from(const Reference& reference,
+                             const Patch_tree<Flat_triangle>& tree,
+                             const std::vector<Point>& points,
+                             const std::vector<double>& distances,
+                             const Face& face)
+{
+  constexpr std::size_t max_samples = 64; // it trades time for a maximum that is elsewhere
+  std::vector<Index> order(points.size());
+  std::iota(order.begin(), order.end(), Index(0));
+  const auto end = order.begin() + (std::min)(max_samples, order.size());
+  std::partial_sort(order.begin(), end, order.end(), [&](Index i, Index j) {
+    return distances[i] != distances[j] ? distances[i] > distances[j] : i < j;
+  });
+  double largest = 0;
+  for(auto i = order.begin(); i != end; ++i)
+  {
+    const auto height_of_point = [&](const Point& p) { return norm(p - tree.point(tree.project(p, face(*i)))); };
+    const auto height = [&](const auto& foot) { return height_of_point(reference.point(foot)); };
+    const auto top = reference.climb(reference.project(points[*i]), height);
+    largest = (std::max)({ largest, height_of_point(points[*i]), height(top) });
+  }
+  return largest;
+}
+
+// Points of the reference, each with the face of the remesh that is closest.
+struct Points_and_faces
+{
+  std::vector<Point> points;
+  std::vector<Index> faces;
+};
+
 // Points spread evenly over the reference, each with the closest point of the remesh, in the order of the faces that these
 // were in at first: most stay there. There are none if the reference cannot be sampled.
 class Area_samples
@@ -124,41 +158,19 @@ public:
 
   double area() const { return m_area; } // of the reference, that each sample stands for
 
-  std::size_t size() const { return m_points.size(); }
-  const Point& point(std::size_t i) const { return m_points[i]; }
-  const Patch_foot& foot(std::size_t i) const { return m_feet[i]; } // on the remesh
-  void set_foot(std::size_t i, const Patch_foot& foot) { m_feet[i] = foot; }
+  // the points, and the faces that are closest to them, for good
+  Points_and_faces take() &&
+  {
+    Points_and_faces result{ std::move(m_points), std::vector<Index>(m_feet.size()) };
+    std::transform(m_feet.begin(), m_feet.end(), result.faces.begin(), [](const Patch_foot& foot) { return foot.patch; });
+    return result;
+  }
 
   // calls f(point, normal, coordinates) for each sample whose closest point is in the face, with the coordinates there
   template <typename F>
   void for_each_in_face(std::size_t face, const F& f) const
   {
     m_samples_of_faces.for_each(face, [&](Index i) { f(m_points[i], m_normals[i], m_feet[i].coordinates); });
-  }
-
-  // The largest distance from the reference to the faces in `tree`, of the samples and of the points to which climbing from
-  // those with the largest of `distances` leads.
-  template <typename Reference>
-  double largest_distance(const Reference& reference,
-                          const Patch_tree<Flat_triangle>& tree,
-                          const std::vector<double>& distances) const
-  {
-    constexpr std::size_t max_samples = 64; // it trades time for a maximum that is elsewhere
-    std::vector<Index> order(m_points.size());
-    std::iota(order.begin(), order.end(), Index(0));
-    const auto end = order.begin() + (std::min)(max_samples, order.size());
-    std::partial_sort(order.begin(), end, order.end(), [&](Index i, Index j) {
-      return distances[i] != distances[j] ? distances[i] > distances[j] : i < j;
-    });
-    double largest = 0;
-    for(auto i = order.begin(); i != end; ++i)
-    {
-      const auto height_of_point = [&](const Point& p) { return norm(p - tree.point(tree.project(p, m_feet[*i].patch))); };
-      const auto height = [&](const auto& foot) { return height_of_point(reference.point(foot)); };
-      const auto top = reference.climb(reference.project(m_points[*i]), height);
-      largest = (std::max)({ largest, height_of_point(m_points[*i]), height(top) });
-    }
-    return largest;
   }
 
 private:
@@ -186,7 +198,7 @@ private:
       return Error_integral{ 1, distances[i], square(distances[i]), distances[i] };
     });
     Approximation_error error = integral.error();
-    error.max = largest_distance(reference, tree, distances);
+    error.max = largest_distance_from(reference, tree, m_points, distances, [&](Index i) { return m_feet[i].patch; });
     return error;
   }
 

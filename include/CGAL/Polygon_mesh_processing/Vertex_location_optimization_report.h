@@ -106,6 +106,13 @@ struct Vertex_location_optimization_report
   /// the distance of the reference to the mesh before and after; `0` unless both directions are guaranteed
   Approximation_error initial_error_from_reference, final_error_from_reference;
 
+  /// the relative change of the volume that the mesh encloses; `0` if it is not closed
+  double volume_change = 0;
+
+  /// whether the mesh encloses the volume of the reference, as `preserve_volume` asks; `false` if that was not asked for, if
+  /// one of the two is not closed, or if it could not be had within the guarantee
+  bool is_volume_preserved = false;
+
   /// the surface to which the mesh was fitted
   Reference_surface_summary reference;
 };

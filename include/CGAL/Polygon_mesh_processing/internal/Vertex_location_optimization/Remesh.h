@@ -66,6 +66,14 @@ struct Remesh : Mesh_arrays
     return std::sqrt(largest2);
   }
 
+  bool is_closed() const
+  {
+    for(std::size_t e = 0; e < edges.size(); ++e)
+      if(is_border(e))
+        return false;
+    return !edges.empty();
+  }
+
   // since M_0
   std::size_t number_of_moved_vertices() const
   {

@@ -63,12 +63,16 @@ public:
       m_reference, m_initial_quality, m_smallest_angles, std::move(samples), std::move(area_samples), m_allow_move, m_find_self_intersections,
       m_remesh, m_corrections);
     guarantee.enforce();
+    if(m_options.preserve_volume && m_remesh.is_closed() && m_reference.is_closed())
+      m_report.is_volume_preserved = guarantee.enclose(m_reference.template volume<ConcurrencyTag>());
     m_report.initial_error = m_initial_quality.error;
     m_report.final_error = guarantee.error();
     m_report.initial_error_from_reference = m_initial_quality.error_from_reference;
     m_report.final_error_from_reference = guarantee.error_from_reference();
     m_remesh.advance();
     count_corrected_vertices();
+    if(m_remesh.is_closed())
+      m_report.volume_change = volume_change(m_remesh);
     m_report.moved_vertices = m_remesh.number_of_moved_vertices();
     return m_report;
   }

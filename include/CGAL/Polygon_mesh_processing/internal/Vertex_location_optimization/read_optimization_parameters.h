@@ -51,6 +51,8 @@ Optimization_options read_options(const NamedParameters& np)
     to_double(choose_parameter(get_parameter(np, internal_np::regularity_weight), options.regularity_weight));
   options.guarantee_both_directions =
     choose_parameter(get_parameter(np, internal_np::guarantee_both_directions), options.guarantee_both_directions);
+  options.preserve_volume =
+    choose_parameter(get_parameter(np, internal_np::preserve_volume), options.preserve_volume);
   return options;
 }
 

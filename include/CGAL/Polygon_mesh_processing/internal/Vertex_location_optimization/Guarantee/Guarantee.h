@@ -13,6 +13,7 @@
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/New_intersections.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Result_distances.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/shorten_moves.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Volume_correction.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Remesh.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Sampling/Area_samples.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Sampling/Remesh_samples.h>
@@ -86,10 +87,32 @@ public:
           shorten(m_new_intersections.find_vertices(), Correction::INTERSECTION))
     {
       keep_shapes();
-      const Indices changed = m_distances.template update<ConcurrencyTag>();
-      m_distances_from_reference.template update<ConcurrencyTag>(changed);
-      for_each_index<ConcurrencyTag>(changed.size(), [&](std::size_t k) { m_is_worse[changed[k]] = is_worse(changed[k]); });
+      measure_again();
     }
+  }
+
+  // Moves the vertices along the normals until the remesh encloses `volume`, but for those where that would do harm; returns
+  // false, and leaves all where they are, if that is impossible.
+  bool enclose(const double volume)
+  {
+    constexpr int max_attempts = 10;
+    const std::vector<Point> points = m_remesh.next_points;
+    std::vector<char> can_move(points.size());
+    for(std::size_t i = 0; i < points.size(); ++i)
+      can_move[i] = m_remesh.is_free(i);
+    for(int attempt = 0; attempt < max_attempts; ++attempt)
+    {
+      if(!Volume_correction(m_remesh, points, [&](Index i) { return can_move[i]; }).enclose(volume, m_remesh.next_points))
+        break;
+      const std::set<Index> harmed = harmed_vertices();
+      if(harmed.empty())
+        return true;
+      for(Index i : harmed)
+        can_move[i] = false;
+    }
+    m_remesh.next_points = points;
+    measure_again();
+    return false;
   }
 
   Approximation_error error() const
@@ -109,6 +132,30 @@ public:
   }
 
 private:
+  void measure_again()
+  {
+    const Indices changed = m_distances.template update<ConcurrencyTag>();
+    m_distances_from_reference.template update<ConcurrencyTag>(changed);
+    for_each_index<ConcurrencyTag>(changed.size(), [&](std::size_t k) { m_is_worse[changed[k]] = is_worse(changed[k]); });
+  }
+
+  // The vertices with moves that violate one of the guarantees.
+  std::set<Index> harmed_vertices()
+  {
+    measure_again();
+    std::set<Index> result = m_new_intersections.find_vertices();
+    for(std::size_t f = 0; f < m_remesh.number_of_faces(); ++f)
+      if(m_is_worse[f] || m_shapes.is_violated_by(f))
+        result.insert(m_remesh.face(f).begin(), m_remesh.face(f).end());
+    for(const Indices& vertices : { vertices_that_raise_mean(), vertices_that_raise_maximum_from_reference(),
+                                    vertices_that_raise_mean_from_reference() })
+      result.insert(vertices.begin(), vertices.end());
+    for(std::size_t i = 0; i < m_remesh.points.size(); ++i)
+      if(is_moved(i) && !m_allow_move(i, m_remesh.initial_points[i], m_remesh.next_points[i]))
+        result.insert(static_cast<Index>(i));
+    return result;
+  }
+
   // No face is flipped, collapses or gets a sharper fold afterwards, and the user allows all moves.
   void keep_shapes()
   {

@@ -26,6 +26,7 @@ struct Optimization_options
   std::size_t number_of_relaxation_steps = 1;
   double regularity_weight = 0.15; // of LEAST_SQUARES
   bool guarantee_both_directions = false;
+  bool preserve_volume = false;
 };
 
 // Where a run is.

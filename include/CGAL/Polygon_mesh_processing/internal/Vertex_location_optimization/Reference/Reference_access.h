@@ -33,6 +33,7 @@ namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 //   for_each_area_sample(a, f)    calls f(foot) for points spread evenly over the surface, each of which stands for the
 //                                 area a
 //   climb(foot, value)            the point to which climbing from `foot` leads, with the height value(foot)
+//   is_closed(), volume<Tag>()    whether it encloses a volume, and that
 //   summary<ConcurrencyTag>()     its kind, and how far it is from the faces of its mesh
 //   feature_curves()              its creases and borders, see `Feature_curves`
 //
@@ -68,6 +69,12 @@ public:
   Foot climb(const Foot& foot, const Value&) const
   {
     return foot;
+  }
+  bool is_closed() const { return false; }
+  template <typename ConcurrencyTag>
+  double volume() const
+  {
+    return 0;
   }
   template <typename ConcurrencyTag>
   Reference_surface_summary summary() const

@@ -8,6 +8,7 @@
 
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/Feature_curves.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/Patch_tree.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/patch_volume.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/for_each_index.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/prefetch.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/triangle_coordinates.h>
@@ -129,6 +130,21 @@ public:
     for(Index i = 0; i < m_neighbors.size(); ++i)
       sum += m_tree.patch(i).area();
     return sum;
+  }
+
+  bool is_closed() const
+  {
+    return std::all_of(m_neighbors.begin(), m_neighbors.end(), [](const std::array<Index, 3>& corners) {
+      return std::find(corners.begin(), corners.end(), no_index) == corners.end();
+    });
+  }
+
+  template <typename ConcurrencyTag>
+  double volume() const
+  {
+    const Point apex = m_tree.patch(0).point({ 0, 0 });
+    return sum_over_indices<ConcurrencyTag, double>(
+      m_neighbors.size(), [&](std::size_t i) { return volume_of_cone(m_tree.patch(static_cast<Index>(i)), apex); });
   }
 
   template <typename ConcurrencyTag>

@@ -16,6 +16,8 @@
 #include <CGAL/Polygon_mesh_processing/Flat_triangle_surface.h>
 #include <CGAL/Polygon_mesh_processing/optimize_vertex_locations.h>
 
+#include <array>
+
 namespace PMP = CGAL::Polygon_mesh_processing;
 namespace params = CGAL::parameters;
 using Flat_surface = PMP::Flat_triangle_surface<Mesh>;
@@ -146,6 +148,40 @@ void test_planes()
     CHECK_AT_MOST(std::abs((p - rigid_motion(CGAL::ORIGIN)) * normal), 1e-12 * 12);
 }
 
+// How much of the mean error to a sphere is left, of the part of the mesh with the vertices of `before` from `first` on.
+double remaining_error(const Mesh& mesh, std::size_t first, const Soup& before, const Point& center, double radius)
+{
+  Mesh part = make_mesh(before);
+  auto error = [&]() {
+    return measure_errors(part, 6, [&](const Point& p) { return std::abs(norm(p - center) - radius); }).mean;
+  };
+  const double error_before = error();
+  for(Mesh::Vertex_index v : part.vertices())
+    part.point(v) = mesh.point(Mesh::Vertex_index(first + v));
+  return error() / error_before;
+}
+
+void test_graded_mesh()
+{
+  start_topic("Two spheres, one a hundred times smaller, gain in one mesh what they gain alone");
+  const double small = 0.01;
+  const Point center(3, 0, 0);
+  auto smaller = [&](const Soup& soup) {
+    return transformed(soup, [&](const Point& p) { return center + small * (p - CGAL::ORIGIN); });
+  };
+  const Soup remesh = transformed(icosphere(3), rotated), reference = icosphere(5);
+  const Mesh both = make_mesh(combined(remesh, smaller(remesh)));
+  for(PMP::Placement_method method : { PMP::PIECEWISE_LINEAR, PMP::LEAST_SQUARES })
+  {
+    const double alone =
+      remaining_error(optimized(make_mesh(remesh), make_mesh(reference), method), 0, remesh, CGAL::ORIGIN, 1);
+    CHECK_LESS(alone, 0.3);
+    const Mesh mesh = optimized(both, make_mesh(combined(reference, smaller(reference))), method);
+    CHECK_NEAR(remaining_error(mesh, 0, remesh, CGAL::ORIGIN, 1) / alone, 1, 0.01);
+    CHECK_NEAR(remaining_error(mesh, remesh.points.size(), smaller(remesh), center, small) / alone, 1, 0.01);
+  }
+}
+
 void test_equivariance()
 {
   start_topic("Scaled by a power of two, the result is the same to the last bit; moved, it is as good");
@@ -177,6 +213,7 @@ int main()
   test_tip();
   test_regularity_weight();
   test_planes();
+  test_graded_mesh();
   test_equivariance();
   return test_result();
 }

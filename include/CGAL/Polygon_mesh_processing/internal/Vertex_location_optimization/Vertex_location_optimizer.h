@@ -136,7 +136,7 @@ private:
   // Once the vertices have settled there is one more iteration, with exact samples.
   void report_iteration(const double step_size)
   {
-    const bool settles = step_size <= m_options.convergence_threshold * m_remesh.mean_edge_length;
+    const bool settles = step_size <= m_options.convergence_threshold;
     m_report.converged = m_has_settled || (settles && iteration().is_last);
     m_has_settled = settles;
     m_report.displacement = m_remesh.largest_displacement();

@@ -44,10 +44,9 @@ public:
   template <typename ConcurrencyTag>
   void measure()
   {
-    constexpr double negligible = 1e-3; // relative to the mean edge length; it saves the search where the run has converged
-    const double limit2 = square(negligible * m_remesh.mean_edge_length);
-    const auto move = [&](Samples& samples, std::size_t k, const Point& from, const Point& to) {
-      if(!(squared_distance(from, to) <= limit2))
+    constexpr double negligible = 1e-3; // relative to the length of edges; it saves the search where the run has converged
+    const auto move = [&](Samples& samples, std::size_t k, const Point& from, const Point& to, double length) {
+      if(!(squared_distance(from, to) <= square(negligible * length)))
         return walk(samples, k, to);
       samples.offsets[k] = samples.offsets[k] - (to - from);
       return norm(samples.offsets[k]);
@@ -55,10 +54,13 @@ public:
 
     for_each_element<ConcurrencyTag>(
       m_remesh,
-      [&](std::size_t i) { m_distances.at_vertices[i] = move(m_vertices, i, m_points[i], m_remesh.next_points[i]); },
+      [&](std::size_t i) {
+        m_distances.at_vertices[i] = move(m_vertices, i, m_points[i], m_remesh.next_points[i], m_remesh.lengths[i]);
+      },
       [&](std::size_t e) {
+        const double length = m_remesh.length_at(m_remesh.edges[e]);
         m_distances.at_midpoints[e] =
-          move(m_midpoints, e, m_remesh.midpoint(e, m_points), m_remesh.midpoint(e, m_remesh.next_points));
+          move(m_midpoints, e, m_remesh.midpoint(e, m_points), m_remesh.midpoint(e, m_remesh.next_points), length);
       },
       [&](std::size_t f) {
         constexpr std::size_t ahead = 8;
@@ -171,11 +173,11 @@ private:
 
   void measure_barycenter(std::size_t f)
   {
-    constexpr double far = 0.1; // relative to the mean edge length; other sheets are thought to be farther away
+    constexpr double far = 0.1; // relative to the length of edges; other sheets are thought to be farther away
     const Point p = point_at(m_remesh.triangle(f, m_remesh.next_points), barycenter_coordinates);
     const Foot foot = m_reference.project_locally(p, barycenter_hint(f));
     set_barycenter(f, p, foot);
-    if(m_orientations[f] != Face_orientation::CONSISTENT || m_distances.at_barycenters[f] > far * m_remesh.mean_edge_length)
+    if(m_orientations[f] != Face_orientation::CONSISTENT || m_distances.at_barycenters[f] > far * m_remesh.length_of_face(f))
       set_barycenter(f, p, m_reference.project(p, foot));
   }
 

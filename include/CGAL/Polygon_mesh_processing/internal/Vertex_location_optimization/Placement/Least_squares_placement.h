@@ -59,10 +59,17 @@ public:
   Initial_measure start() override
   {
     Initial_measure initial = m_samples.template start<ConcurrencyTag>(m_reference, m_remesh);
-    const double mean = mean_distance<ConcurrencyTag>(m_remesh, m_remesh.points, initial.distances);
+    double area = 0, sum = 0;
+    for(std::size_t f = 0; f < m_remesh.number_of_faces(); ++f)
+      if(m_remesh.area(f) > 0)
+      {
+        area += m_remesh.area(f);
+        sum += m_remesh.area(f) * initial.distances.mean(m_remesh, f) / m_remesh.length_of_face(f);
+      }
     constexpr double large_error = 0.055;
-    m_regularity_weight *= std::sqrt(mean / (large_error * m_remesh.mean_edge_length));
-    m_area_samples.template start<ConcurrencyTag>(m_reference, m_remesh);
+    m_regularity_weight *= area > 0 ? std::sqrt(sum / area / large_error) : 0;
+    m_area_samples.template start<ConcurrencyTag>(m_reference, m_remesh,
+                                                  [&](std::size_t f) { return m_samples.barycenters.hint(f); });
     return initial;
   }
 
@@ -84,27 +91,26 @@ public:
   // last displacement is repeated to get there sooner. A vertex whose samples fit stays.
   void place(const Iteration&) override
   {
-    // found by trial: they trade speed for settling; max_step is relative to the mean edge length
+    // found by trial: they trade speed for settling; max_step is relative to the length of the edges
     constexpr double relaxation = 1.4, momentum = 0.5, max_step = 0.25;
     constexpr double rounding = 1e-9; // relative to the terms of the equations
 
-    const double limit = max_step * m_remesh.mean_edge_length;
     for_each_sum_over_faces<ConcurrencyTag, Vertex_equations>(
       m_remesh, [&](std::size_t f) { return face_equations(f); },
       [&](std::size_t i, const Vertex_equations& of_vertex) {
         const Point& v = m_remesh.points[i];
         m_remesh.next_points[i] = v;
-        const double area = of_vertex.area;
+        const double area = of_vertex.area, edge_length = m_remesh.lengths[i], limit = max_step * edge_length;
         if(!m_remesh.is_free(i) || !(area > 0))
           return;
 
         Normal_equations equations = of_vertex.of_faces;
         equations += Normal_equations(m_samples.vertices.normal(i), m_samples.vertices.offset(i),
-                                      Cubic_quadrature::of_vertex(area), m_remesh.mean_edge_length);
-        if(norm(equations.right_hand_side()) <= rounding * area * m_remesh.mean_edge_length)
+                                      Cubic_quadrature::of_vertex(area), edge_length);
+        if(norm(equations.right_hand_side()) <= rounding * area * edge_length)
           return;
 
-        const Vector d = equations.solve(pull(i, of_vertex), pull_weight(of_vertex), rounding * area);
+        const Vector d = equations.solve(pull(i, of_vertex), pull_weight(i, of_vertex), rounding * area);
         const Vector step = relaxation * d + momentum * m_remesh.last_displacement(i);
         const double length = norm(step);
         m_remesh.next_points[i] = v + (length > limit ? (limit / length) * step : step);
@@ -119,7 +125,8 @@ public:
   {
     double sum = 0;
     for(std::size_t i = 0; i < m_remesh.points.size(); ++i)
-      sum += square((m_remesh.next_points[i] - m_remesh.points[i]) * m_samples.vertices.normal(i));
+      if(m_remesh.lengths[i] > 0)
+        sum += square((m_remesh.next_points[i] - m_remesh.points[i]) * m_samples.vertices.normal(i) / m_remesh.lengths[i]);
     const double last = m_displacement_along_normals;
     m_displacement_along_normals = std::sqrt(sum / (std::max)(m_remesh.points.size(), std::size_t(1)));
     return (std::max)(last, m_displacement_along_normals);
@@ -129,17 +136,16 @@ private:
   // As the vertices settle the samples follow them more closely.
   Sampling_tolerance tolerance() const
   {
-    // relative to the mean edge length, and to the displacements; they trade exactness for time
+    // the third is relative to the displacements; they trade exactness for time
     constexpr double min_travel = 0.02, max_travel = 0.1, max_distance = 0.05, travel_by_displacement = 10;
-    const double length = m_remesh.mean_edge_length, travel = travel_by_displacement * m_displacement_along_normals;
-    return { std::clamp(travel, min_travel * length, max_travel * length), max_distance * length, true };
+    return { std::clamp(travel_by_displacement * m_displacement_along_normals, min_travel, max_travel), max_distance, true };
   }
 
   // what the samples in face f, but for those at its vertices, say to each of its vertices
   std::array<Vertex_equations, 3> face_equations(const std::size_t f) const
   {
     const std::array<Point, 3> t = m_remesh.triangle(f);
-    const double area = m_remesh.area(f), length = m_remesh.mean_edge_length;
+    const double area = m_remesh.area(f), length = m_remesh.length_of_face(f);
     std::array<Normal_equations, 3> equations;
     for(int k = 0; k < 3; ++k)
     {
@@ -155,12 +161,12 @@ private:
     for(Normal_equations& of_corner : equations)
       of_corner.add(of_barycenter, 1. / 3);
 
-    m_area_samples.for_each_in_face(f, [&](const Point& point, const Vector& normal, const Coordinates& x) {
+    m_area_samples.for_each_in_face(f, [&](const Point& point, const Vector& normal, double sample_area, const Coordinates& x) {
       const std::array<double, 3> lambda = x.barycentric();
       const Vector offset = point - point_at(t, x);
       // inside the face the reference's normal, on its boundary the direction to the sample
       const Vector direction = is_inside(lambda) ? Vector(NULL_VECTOR) : normalized(offset);
-      const Normal_equations of_sample(direction != NULL_VECTOR ? direction : normal, offset, m_area_samples.area(), length);
+      const Normal_equations of_sample(direction != NULL_VECTOR ? direction : normal, offset, sample_area, length);
       for(int k = 0; k < 3; ++k)
         equations[k].add(of_sample, lambda[k]);
     });
@@ -181,15 +187,15 @@ private:
   }
 
   // all faces weigh the same here, as in the mean of their angles
-  double pull_weight(const Vertex_equations& of_vertex) const
+  double pull_weight(const std::size_t i, const Vertex_equations& of_vertex) const
   {
-    const double equilateral_area = std::sqrt(3.) / 4 * square(m_remesh.mean_edge_length);
+    const double equilateral_area = std::sqrt(3.) / 4 * square(m_remesh.lengths[i]);
     return m_regularity_weight * of_vertex.number_of_faces * equilateral_area;
   }
 
   double m_regularity_weight; // from start() on relative to the error of M_0
   Area_samples m_area_samples;
-  double m_displacement_along_normals = 0; // of the last iteration, root mean square
+  double m_displacement_along_normals = 0; // of the last iteration, relative to the lengths, root mean square
 };
 
 } // namespace CGAL::Polygon_mesh_processing::internal::vertex_location

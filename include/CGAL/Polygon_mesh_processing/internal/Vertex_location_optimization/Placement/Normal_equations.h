@@ -26,11 +26,11 @@ public:
   // Those of a sample at the vertex: along `normal` it should move by `offset`, from the remesh to the reference. `area` is
   // what the sample stands for. Reweighting makes the squares the power 3/2 of the distances, but for the smallest: that
   // lowers the mean distance at the same regularity, as a few bad places count for less.
-  Normal_equations(const Vector& normal, const Vector& offset, const double area, const double mean_edge_length)
+  Normal_equations(const Vector& normal, const Vector& offset, const double area, const double length)
   {
-    constexpr double smallest_residual = 0.001; // relative to the mean edge length
+    constexpr double smallest_residual = 0.001; // relative to `length`, that of edges
     const double residual = normal * offset;
-    const double weight = area / std::sqrt(smallest_residual + std::abs(residual) / mean_edge_length);
+    const double weight = area / std::sqrt(smallest_residual + std::abs(residual) / length);
     const Vector m = weight * normal;
     m_H = { m.x() * normal.x(), m.x() * normal.y(), m.x() * normal.z(),
             m.y() * normal.y(), m.y() * normal.z(), m.z() * normal.z() };

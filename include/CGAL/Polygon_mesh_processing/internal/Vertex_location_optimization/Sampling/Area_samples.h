@@ -49,14 +49,14 @@ inline void walk_to_closest_point(const Remesh& remesh, const Point& query, Patc
   }
 }
 
-// Points spread evenly over the reference, each with the closest point of the remesh, in the order of the faces that these
-// were in at first: most stay there. There are none if the reference cannot be sampled.
+// Points spread over the reference, as densely as the faces of the remesh, each with the closest point of the remesh, in the
+// order of the faces that these were in at first: most stay there. There are none if the reference cannot be sampled.
 class Area_samples
 {
 public:
-  // Takes the samples.
-  template <typename ConcurrencyTag, typename Reference>
-  void start(const Reference& reference, const Remesh& remesh)
+  // Takes the samples. `hint(f)` is a foot of face f on the reference.
+  template <typename ConcurrencyTag, typename Reference, typename HintOfFace>
+  void start(const Reference& reference, const Remesh& remesh, const HintOfFace& hint)
   {
     constexpr std::size_t samples_per_face = 6; // of the remesh; they take most of the time and memory of the fit
     const std::size_t number_of_faces = remesh.number_of_faces(), n = samples_per_face * number_of_faces;
@@ -65,9 +65,16 @@ public:
     {
       m_points.reserve(n);
       m_normals.reserve(n);
-      reference.for_each_area_sample(m_area, [&](const auto& foot) {
+      m_weights.reserve(n);
+      // where faces are large, on thin parts, say, samples are as close as on an average
+      const auto squared_length = [&](std::size_t f) { return square(remesh.length_of_face(f)); };
+      const double mean =
+        sum_over_indices<ConcurrencyTag, double>(number_of_faces, squared_length) / static_cast<double>(number_of_faces);
+      const auto area = [&](std::size_t f) { return (std::min)(squared_length(f), mean); };
+      reference.for_each_area_sample(n, number_of_faces, hint, area, [&](const auto& foot, double area_of_sample) {
         m_points.push_back(reference.point(foot));
         m_normals.push_back(reference.normal(foot));
+        m_weights.push_back(static_cast<float>(area_of_sample / m_area));
       });
     }
 
@@ -76,6 +83,7 @@ public:
     const std::vector<Index> order = m_samples_of_faces.members();
     permute(m_points, order);
     permute(m_normals, order);
+    permute(m_weights, order);
     m_feet.resize(order.size());
     for_each_index<ConcurrencyTag>(m_feet.size(), [&](std::size_t i) {
       const Index face = faces[order[i]];
@@ -86,7 +94,7 @@ public:
   }
 
   // Finds the closest points for `remesh.points` from the last ones, but keeps those on faces whose vertices have gone no
-  // farther than `tolerance` since.
+  // farther than `tolerance` since, relative to the lengths of their edges.
   template <typename ConcurrencyTag>
   void update(const Remesh& remesh, const double tolerance)
   {
@@ -94,7 +102,7 @@ public:
       if(m_travels[f] > tolerance) // its samples were searched in the last iteration
         m_travels[f] = 0;
       const auto displacement = [&](int k) { return norm(remesh.last_displacement(remesh.face(f)[k])); };
-      m_travels[f] += (std::max)({ displacement(0), displacement(1), displacement(2) });
+      m_travels[f] += (std::max)({ displacement(0), displacement(1), displacement(2) }) / remesh.length_of_face(f);
     });
     for_each_index<ConcurrencyTag>(m_points.size(), [&](std::size_t i) {
       if(m_travels[m_feet[i].patch] > tolerance)
@@ -103,13 +111,12 @@ public:
     group_by_face(remesh.number_of_faces());
   }
 
-  double area() const { return m_area; } // of the reference, that each sample stands for
-
-  // calls f(point, normal, coordinates) for each sample whose closest point is in the face, with the coordinates there
+  // calls f(point, normal, area, coordinates) for each sample whose closest point is in the face, with the area of the
+  // reference that it stands for and the coordinates of the closest point
   template <typename F>
   void for_each_in_face(std::size_t face, const F& f) const
   {
-    m_samples_of_faces.for_each(face, [&](Index i) { f(m_points[i], m_normals[i], m_feet[i].coordinates); });
+    m_samples_of_faces.for_each(face, [&](Index i) { f(m_points[i], m_normals[i], m_weights[i] * m_area, m_feet[i].coordinates); });
   }
 
 private:
@@ -152,7 +159,8 @@ private:
   std::vector<Point> m_points;
   std::vector<Vector> m_normals;
   std::vector<Patch_foot> m_feet; // on the remesh: a patch is a face
-  double m_area = 0;
+  double m_area = 0;            // of the reference, that a sample stands for on an average
+  std::vector<float> m_weights; // the area that each sample stands for, relative to that
   Index_groups m_samples_of_faces;
   std::vector<double> m_travels; // how far the vertices of each face have gone since its samples were searched
 };

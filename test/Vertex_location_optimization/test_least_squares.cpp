@@ -11,10 +11,13 @@
 #include "Exact_sphere.h"
 #include "invariants.h"
 #include "mesh_quality.h"
+#include "remeshes.h"
 #include "test_meshes.h"
 
 #include <CGAL/Polygon_mesh_processing/Flat_triangle_surface.h>
 #include <CGAL/Polygon_mesh_processing/optimize_vertex_locations.h>
+#include <CGAL/Surface_mesh_simplification/edge_collapse.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_stop_predicate.h>
 
 #include <array>
 
@@ -22,13 +25,18 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 namespace params = CGAL::parameters;
 using Flat_surface = PMP::Flat_triangle_surface<Mesh>;
 
-Mesh optimized(Mesh mesh, const Mesh& reference, PMP::Placement_method method, double regularity_weight = 0.15)
+template <typename NamedParameters>
+Mesh optimized_with(Mesh mesh, const Mesh& reference, const NamedParameters& np)
 {
   const Mesh before = mesh;
-  PMP::optimize_vertex_locations(mesh, Flat_surface(reference),
-                                 params::placement_method(method).regularity_weight(regularity_weight));
+  PMP::optimize_vertex_locations(mesh, Flat_surface(reference), np);
   check_invariants(before, mesh);
   return mesh;
+}
+
+Mesh optimized(const Mesh& mesh, const Mesh& reference, PMP::Placement_method method)
+{
+  return optimized_with(mesh, reference, params::placement_method(method));
 }
 
 // By how much the vertices of equilateral triangles with sides h, inscribed in a unit sphere, are to move, in units of
@@ -127,13 +135,52 @@ void test_regularity_weight()
   double last_error = 0, last_angle = 0;
   for(double weight : { 0.0125, 0.1, 0.8 })
   {
-    const Mesh mesh = optimized(remesh, reference, PMP::LEAST_SQUARES, weight);
+    const Mesh mesh =
+      optimized_with(remesh, reference, params::placement_method(PMP::LEAST_SQUARES).regularity_weight(weight));
     const double error = measure_errors(mesh, 6, distance).mean, angle = mean_min_angle(mesh);
     CHECK_LESS(last_error, error);
     CHECK_LESS(last_angle, angle);
     last_error = error;
     last_angle = angle;
   }
+}
+
+// CGAL's default simplification, which has small errors and anisotropic faces already
+Mesh simplified(Mesh mesh, std::size_t number_of_edges)
+{
+  namespace SMS = CGAL::Surface_mesh_simplification;
+  SMS::edge_collapse(mesh, SMS::Count_stop_predicate<Mesh>(number_of_edges));
+  mesh.collect_garbage();
+  return mesh;
+}
+
+void test_simplified_meshes()
+{
+  start_topic("A simplified mesh gains, and its angles get no worse");
+  for(const char* name : { "bunny00", "refined_elephant" })
+  {
+    const Mesh reference = read_model(name);
+    const Mesh remesh = simplified(reference, 6000); // of 2000 vertices
+    const Distance_to_mesh distance(reference);
+    const Mesh mesh = optimized(remesh, reference, PMP::LEAST_SQUARES);
+    CHECK_AT_MOST(measure_errors(mesh, 4, distance).mean, 0.95 * measure_errors(remesh, 4, distance).mean);
+    CHECK_AT_LEAST(mean_min_angle(mesh), mean_min_angle(remesh));
+  }
+}
+
+void test_one_call()
+{
+  start_topic("One call is at its end: four more gain little");
+  const Mesh reference = read_model("bunny00");
+  const Mesh remesh = make_remesh(reference, 0.04); // 2000 vertices
+  const Distance_to_mesh distance(reference);
+  const Mesh mesh = optimized(remesh, reference, PMP::LEAST_SQUARES);
+  Mesh again = mesh;
+  for(int call = 0; call < 4; ++call)
+    again = optimized(again, reference, PMP::LEAST_SQUARES);
+  const double error = measure_errors(mesh, 4, distance).mean;
+  CHECK_AT_MOST(error, 0.365 * measure_errors(remesh, 4, distance).mean);
+  CHECK_AT_MOST(error, 1.06 * measure_errors(again, 4, distance).mean);
 }
 
 void test_planes()
@@ -212,6 +259,8 @@ int main()
   test_unmarked_creases();
   test_tip();
   test_regularity_weight();
+  test_simplified_meshes();
+  test_one_call();
   test_planes();
   test_graded_mesh();
   test_equivariance();

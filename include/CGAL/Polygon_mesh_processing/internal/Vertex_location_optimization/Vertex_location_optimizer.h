@@ -106,7 +106,7 @@ private:
     if(iteration().is_free) // later nothing moves a vertex along the surface that would need a counterforce
     {
       placement.relax();
-      features.relax(m_remesh, m_options.number_of_relaxation_steps);
+      features.relax(m_remesh, m_options.number_of_relaxation_steps.value_or(default_number_of_relaxation_steps));
     }
 
     if(!start_phase(Phase::CORRECT_FLIPS))

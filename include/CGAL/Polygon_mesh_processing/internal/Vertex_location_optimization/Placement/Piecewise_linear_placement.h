@@ -7,6 +7,7 @@
 #define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_PIECEWISE_LINEAR_PLACEMENT_H
 
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Placement/for_each_sum_over_faces.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Placement/measure_regularity.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Placement/piecewise_linear_update.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Placement/Placement.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Placement/springs.h>
@@ -15,6 +16,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
+#include <vector>
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
@@ -50,7 +53,12 @@ public:
       m_number_of_relaxation_steps(options.number_of_relaxation_steps)
   {}
 
-  Initial_measure start() override { return m_samples.template start<ConcurrencyTag>(m_reference, m_remesh); }
+  Initial_measure start() override
+  {
+    if(!m_number_of_relaxation_steps)
+      m_regularity = measure_regularity(m_remesh);
+    return m_samples.template start<ConcurrencyTag>(m_reference, m_remesh);
+  }
 
   void resample(const Iteration& iteration) override
   {
@@ -92,8 +100,10 @@ public:
 
   void relax() override
   {
-    relax_springs<ConcurrencyTag>(m_remesh, m_number_of_relaxation_steps,
-                                  [&](std::size_t i) -> const Vector& { return m_samples.vertices.normal(i); });
+    relax_springs<ConcurrencyTag>(
+      m_remesh, m_number_of_relaxation_steps.value_or(default_number_of_relaxation_steps),
+      [&](std::size_t i) { return m_regularity.empty() ? 1. : m_regularity[i]; },
+      [&](std::size_t i) -> const Vector& { return m_samples.vertices.normal(i); });
   }
 
   double step_size() override
@@ -114,7 +124,8 @@ private:
     return { iteration.is_first_along_normals ? 0 : max_travel, max_distance, iteration.is_free };
   }
 
-  const std::size_t m_number_of_relaxation_steps;
+  const std::optional<std::size_t> m_number_of_relaxation_steps;
+  std::vector<double> m_regularity; // of M_0; empty if the user has chosen the springs
 };
 
 } // namespace CGAL::Polygon_mesh_processing::internal::vertex_location

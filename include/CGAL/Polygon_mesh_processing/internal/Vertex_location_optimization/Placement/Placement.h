@@ -11,6 +11,7 @@
 #include <CGAL/Polygon_mesh_processing/Placement_method.h>
 
 #include <cstddef>
+#include <optional>
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
@@ -22,8 +23,10 @@ struct Optimization_options
   bool do_self_intersection_tests;
   std::size_t number_of_iterations = 30;
   std::size_t number_of_free_iterations = 20;
-  std::size_t number_of_relaxation_steps = 1;
-  double regularity_weight = 0.15; // of LEAST_SQUARES
+
+  // where the user has not chosen one, the default, but less where the faces of M_0 are irregular
+  std::optional<std::size_t> number_of_relaxation_steps = std::nullopt;
+  std::optional<double> regularity_weight = std::nullopt; // of LEAST_SQUARES
 };
 
 // Where a run is.

@@ -15,6 +15,8 @@
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
+constexpr std::size_t default_number_of_relaxation_steps = 1;
+
 // The force between two neighbors, equations (3) and (4).
 struct Spring
 {
@@ -29,9 +31,9 @@ struct Spring
 
 // Section 3.3: springs between neighbors keep the vertices apart. Their force is taken in the tangent plane, orthogonal to
 // `normal(i)`: along the normal it would only push the surface outwards. A vertex that the fit leaves where it is needs no
-// spring: planar parts stay as they are.
-template <typename ConcurrencyTag, typename Normal>
-void relax_springs(Remesh& remesh, const std::size_t number_of_steps, const Normal& normal)
+// spring: planar parts stay as they are. `strength(i)` is a factor to the force on vertex i.
+template <typename ConcurrencyTag, typename Strength, typename Normal>
+void relax_springs(Remesh& remesh, const std::size_t number_of_steps, const Strength& strength, const Normal& normal)
 {
   if(number_of_steps == 0)
     return;
@@ -51,7 +53,7 @@ void relax_springs(Remesh& remesh, const std::size_t number_of_steps, const Norm
         force = force + Spring::force(p - remesh.next_points[remesh.vertex(Mesh_arrays::next(c))], remesh.lengths[i]);
       });
       const Vector& n = normal(i);
-      relaxed[i] = p + (force - (force * n) * n);
+      relaxed[i] = p + strength(i) * (force - (force * n) * n);
     });
     remesh.next_points.swap(relaxed);
   }

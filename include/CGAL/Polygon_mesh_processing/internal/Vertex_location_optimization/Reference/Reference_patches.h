@@ -144,8 +144,8 @@ public:
   // The patches are in an order in which neighbors follow each other: points at equal steps of the area are spread over
   // the surface. Those in one patch follow the additive recurrence by powers of the plastic number, of low discrepancy.
   template <typename HintAt, typename AreaAt, typename F>
-  void for_each_area_sample(
-    const std::size_t n, const std::size_t m, const HintAt& hint, const AreaAt& area, const F& f) const
+  void
+  for_each_area_sample(const std::size_t n, const std::size_t m, const HintAt& hint, const AreaAt& area, const F& f) const
   {
     std::vector<double> areas = spread_over_patches(m, hint, area); // that each sample in a patch stands for
     double number_of_samples = 0;

@@ -116,7 +116,8 @@ public:
   template <typename F>
   void for_each_in_face(std::size_t face, const F& f) const
   {
-    m_samples_of_faces.for_each(face, [&](Index i) { f(m_points[i], m_normals[i], m_weights[i] * m_area, m_feet[i].coordinates); });
+    m_samples_of_faces.for_each(
+      face, [&](Index i) { f(m_points[i], m_normals[i], m_weights[i] * m_area, m_feet[i].coordinates); });
   }
 
 private:
@@ -159,8 +160,8 @@ private:
   std::vector<Point> m_points;
   std::vector<Vector> m_normals;
   std::vector<Patch_foot> m_feet; // on the remesh: a patch is a face
-  double m_area = 0;            // of the reference, that a sample stands for on an average
-  std::vector<float> m_weights; // the area that each sample stands for, relative to that
+  double m_area = 0;              // of the reference, that a sample stands for on an average
+  std::vector<float> m_weights;   // the area that each sample stands for, relative to that
   Index_groups m_samples_of_faces;
   std::vector<double> m_travels; // how far the vertices of each face have gone since its samples were searched
 };

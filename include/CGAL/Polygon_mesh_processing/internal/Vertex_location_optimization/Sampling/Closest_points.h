@@ -107,11 +107,8 @@ public:
   // Moves sample i to the point closest to `query` around the last one. The whole reference is searched only if that is so
   // far away that the closest point may be nearer by more than the tolerance.
   template <typename Reference>
-  void update(std::size_t i,
-              const Reference& reference,
-              const Sampling_tolerance& tolerance,
-              const Point& query,
-              const double length)
+  void update(
+    std::size_t i, const Reference& reference, const Sampling_tolerance& tolerance, const Point& query, const double length)
   {
     set_foot(i, reference, query, reference.project_locally(query, hint(i)));
     if(!(norm(offset(i)) <= tolerance.distance * length))

@@ -17,7 +17,6 @@
 #include <CGAL/Polygon_mesh_processing/Flat_triangle_surface.h>
 #include <CGAL/Polygon_mesh_processing/optimize_vertex_locations.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
-#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_stop_predicate.h>
 
 #include <array>
 
@@ -148,8 +147,8 @@ void test_regularity_weight()
 // CGAL's default simplification, which has small errors and anisotropic faces already
 Mesh simplified(Mesh mesh, std::size_t number_of_edges)
 {
-  namespace SMS = CGAL::Surface_mesh_simplification;
-  SMS::edge_collapse(mesh, SMS::Count_stop_predicate<Mesh>(number_of_edges));
+  CGAL::Surface_mesh_simplification::edge_collapse(
+    mesh, [&](const auto&, const auto&, std::size_t, std::size_t number) { return number < number_of_edges; });
   mesh.collect_garbage();
   return mesh;
 }

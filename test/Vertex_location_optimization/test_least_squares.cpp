@@ -11,22 +11,31 @@
 #include "Exact_sphere.h"
 #include "invariants.h"
 #include "mesh_quality.h"
+#include "remeshes.h"
 #include "test_meshes.h"
 
 #include <CGAL/Polygon_mesh_processing/Flat_triangle_surface.h>
 #include <CGAL/Polygon_mesh_processing/optimize_vertex_locations.h>
+#include <CGAL/Surface_mesh_simplification/edge_collapse.h>
+
+#include <array>
 
 namespace PMP = CGAL::Polygon_mesh_processing;
 namespace params = CGAL::parameters;
 using Flat_surface = PMP::Flat_triangle_surface<Mesh>;
 
-Mesh optimized(Mesh mesh, const Mesh& reference, PMP::Placement_method method, double regularity_weight = 0.15)
+template <typename NamedParameters>
+Mesh optimized_with(Mesh mesh, const Mesh& reference, const NamedParameters& np)
 {
   const Mesh before = mesh;
-  PMP::optimize_vertex_locations(mesh, Flat_surface(reference),
-                                 params::placement_method(method).regularity_weight(regularity_weight));
+  PMP::optimize_vertex_locations(mesh, Flat_surface(reference), np);
   check_invariants(before, mesh);
   return mesh;
+}
+
+Mesh optimized(const Mesh& mesh, const Mesh& reference, PMP::Placement_method method)
+{
+  return optimized_with(mesh, reference, params::placement_method(method));
 }
 
 // By how much the vertices of equilateral triangles with sides h, inscribed in a unit sphere, are to move, in units of
@@ -125,13 +134,52 @@ void test_regularity_weight()
   double last_error = 0, last_angle = 0;
   for(double weight : { 0.0125, 0.1, 0.8 })
   {
-    const Mesh mesh = optimized(remesh, reference, PMP::LEAST_SQUARES, weight);
+    const Mesh mesh =
+      optimized_with(remesh, reference, params::placement_method(PMP::LEAST_SQUARES).regularity_weight(weight));
     const double error = measure_errors(mesh, 6, distance).mean, angle = mean_min_angle(mesh);
     CHECK_LESS(last_error, error);
     CHECK_LESS(last_angle, angle);
     last_error = error;
     last_angle = angle;
   }
+}
+
+// CGAL's default simplification, which has small errors and anisotropic faces already
+Mesh simplified(Mesh mesh, std::size_t number_of_edges)
+{
+  CGAL::Surface_mesh_simplification::edge_collapse(
+    mesh, [&](const auto&, const auto&, std::size_t, std::size_t number) { return number < number_of_edges; });
+  mesh.collect_garbage();
+  return mesh;
+}
+
+void test_simplified_meshes()
+{
+  start_topic("A simplified mesh gains, and its angles get no worse");
+  for(const char* name : { "bunny00", "refined_elephant" })
+  {
+    const Mesh reference = read_model(name);
+    const Mesh remesh = simplified(reference, 6000); // of 2000 vertices
+    const Distance_to_mesh distance(reference);
+    const Mesh mesh = optimized(remesh, reference, PMP::LEAST_SQUARES);
+    CHECK_AT_MOST(measure_errors(mesh, 4, distance).mean, 0.95 * measure_errors(remesh, 4, distance).mean);
+    CHECK_AT_LEAST(mean_min_angle(mesh), mean_min_angle(remesh));
+  }
+}
+
+void test_one_call()
+{
+  start_topic("One call is at its end: four more gain little");
+  const Mesh reference = read_model("bunny00");
+  const Mesh remesh = make_remesh(reference, 0.04); // 2000 vertices
+  const Distance_to_mesh distance(reference);
+  const Mesh mesh = optimized(remesh, reference, PMP::LEAST_SQUARES);
+  Mesh again = mesh;
+  for(int call = 0; call < 4; ++call)
+    again = optimized(again, reference, PMP::LEAST_SQUARES);
+  const double error = measure_errors(mesh, 4, distance).mean;
+  CHECK_AT_MOST(error, 0.365 * measure_errors(remesh, 4, distance).mean);
+  CHECK_AT_MOST(error, 1.06 * measure_errors(again, 4, distance).mean);
 }
 
 void test_planes()
@@ -144,6 +192,40 @@ void test_planes()
   const Vector normal = rigid_motion(Point(0, 0, 1)) - rigid_motion(CGAL::ORIGIN);
   for(const Point& p : mesh.points())
     CHECK_AT_MOST(std::abs((p - rigid_motion(CGAL::ORIGIN)) * normal), 1e-12 * 12);
+}
+
+// How much of the mean error to a sphere is left, of the part of the mesh with the vertices of `before` from `first` on.
+double remaining_error(const Mesh& mesh, std::size_t first, const Soup& before, const Point& center, double radius)
+{
+  Mesh part = make_mesh(before);
+  auto error = [&]() {
+    return measure_errors(part, 6, [&](const Point& p) { return std::abs(norm(p - center) - radius); }).mean;
+  };
+  const double error_before = error();
+  for(Mesh::Vertex_index v : part.vertices())
+    part.point(v) = mesh.point(Mesh::Vertex_index(first + v));
+  return error() / error_before;
+}
+
+void test_graded_mesh()
+{
+  start_topic("Two spheres, one a hundred times smaller, gain in one mesh what they gain alone");
+  const double small = 0.01;
+  const Point center(3, 0, 0);
+  auto smaller = [&](const Soup& soup) {
+    return transformed(soup, [&](const Point& p) { return center + small * (p - CGAL::ORIGIN); });
+  };
+  const Soup remesh = transformed(icosphere(3), rotated), reference = icosphere(5);
+  const Mesh both = make_mesh(combined(remesh, smaller(remesh)));
+  for(PMP::Placement_method method : { PMP::PIECEWISE_LINEAR, PMP::LEAST_SQUARES })
+  {
+    const double alone =
+      remaining_error(optimized(make_mesh(remesh), make_mesh(reference), method), 0, remesh, CGAL::ORIGIN, 1);
+    CHECK_LESS(alone, 0.3);
+    const Mesh mesh = optimized(both, make_mesh(combined(reference, smaller(reference))), method);
+    CHECK_NEAR(remaining_error(mesh, 0, remesh, CGAL::ORIGIN, 1) / alone, 1, 0.01);
+    CHECK_NEAR(remaining_error(mesh, remesh.points.size(), smaller(remesh), center, small) / alone, 1, 0.01);
+  }
 }
 
 void test_equivariance()
@@ -176,7 +258,10 @@ int main()
   test_unmarked_creases();
   test_tip();
   test_regularity_weight();
+  test_simplified_meshes();
+  test_one_call();
   test_planes();
+  test_graded_mesh();
   test_equivariance();
   return test_result();
 }

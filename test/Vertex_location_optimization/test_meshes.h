@@ -87,6 +87,16 @@ Soup transformed(Soup soup, Transformation t)
   return soup;
 }
 
+// both, apart from each other
+inline Soup combined(Soup a, const Soup& b)
+{
+  const std::size_t n = a.points.size();
+  a.points.insert(a.points.end(), b.points.begin(), b.points.end());
+  for(const auto& t : b.triangles)
+    a.triangles.push_back({ n + t[0], n + t[1], n + t[2] });
+  return a;
+}
+
 // A rotation about an axis that is no axis of the coordinate system. Meshes with a symmetry in common should be turned
 // against each other by it: the foot of a point on a plane of symmetry can be equally close on both its sides.
 inline Point rotated(const Point& p)

@@ -197,7 +197,7 @@ void test_parameters()
                       optimized(image, sphere,
                                 params::placement_method(PMP::LEAST_SQUARES)
                                   .regularity_weight(0.15)
-                                  .convergence_threshold(7.5e-4)
+                                  .convergence_threshold(3e-4)
                                   .do_self_intersection_tests(true))
                         .image));
 

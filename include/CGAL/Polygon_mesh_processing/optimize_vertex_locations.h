@@ -93,12 +93,12 @@ namespace Polygon_mesh_processing {
  *   \cgalParamNEnd
  *
  *   \cgalParamNBegin{convergence_threshold}
- *     \cgalParamDescription{When no vertex has moved farther than this, relative to the mean edge length of `tmesh`,
- *                           the iterations end: with the next one, if the closest points were not exact. With
+ *     \cgalParamDescription{When no vertex has moved farther than this, relative to the mean length of the edges around
+ *                           it, the iterations end: with the next one, if the closest points were not exact. With
  *                           `LEAST_SQUARES` it is the root mean square of the displacements along the normals of the
  *                           reference that counts.}
  *     \cgalParamType{a number type convertible to `double`}
- *     \cgalParamDefault{`1e-6`; with `LEAST_SQUARES` `7.5e-4`}
+ *     \cgalParamDefault{`1e-6`; with `LEAST_SQUARES` `3e-4`}
  *   \cgalParamNEnd
  *
  *   \cgalParamNBegin{placement_method}
@@ -109,11 +109,12 @@ namespace Polygon_mesh_processing {
  *
  *   \cgalParamNBegin{regularity_weight}
  *     \cgalParamDescription{with `LEAST_SQUARES`, the weight of the regularity of the triangles beside their error; less
- *                           of it gives less error and less regular triangles. It is multiplied by the square root of
- *                           the mean error of `tmesh`, relative to 5.5% of the mean edge length: the smaller the error,
- *                           the less of it is given for regularity.}
+ *                           of it gives less error and less regular triangles. It counts in full where the present error
+ *                           is large; where it is below 1.8% of the length of the edges around, the weight falls in
+ *                           proportion to it: the smaller the error, the less of it is given for regularity.}
  *     \cgalParamType{a number type convertible to `double`}
- *     \cgalParamDefault{`0.15`}
+ *     \cgalParamDefault{`0.135` where `tmesh` comes with regular faces, whose smallest angles are 50 degrees on an
+ *                       average; the less, down to a quarter, the smaller these angles are, as after simplification}
  *     \cgalParamExtra{The springs of `PIECEWISE_LINEAR` have no weight: see `number_of_relaxation_steps`. With
  *                     `LEAST_SQUARES` only the vertices of constrained edges have springs, and the free iterations are
  *                     theirs alone.}
@@ -122,7 +123,8 @@ namespace Polygon_mesh_processing {
  *   \cgalParamNBegin{number_of_relaxation_steps}
  *     \cgalParamDescription{the number of steps of the springs in each free iteration; `0`: no springs}
  *     \cgalParamType{unsigned integer}
- *     \cgalParamDefault{`1`}
+ *     \cgalParamDefault{`1`, with springs that are the weaker the smaller the angles of `tmesh` are, and none where their
+ *                       mean is below 36 degrees, as after simplification}
  *   \cgalParamNEnd
  *
  *   \cgalParamNBegin{edge_is_constrained_map}
@@ -209,7 +211,7 @@ Vertex_location_optimization_report optimize_vertex_locations(TriangleMesh& tmes
   using Point_3 = typename boost::property_traits<decltype(vpm)>::value_type;
 
   const Optimization_options options = read_options(np1);
-  const bool has_valid_options = options.convergence_threshold >= 0 && options.regularity_weight >= 0;
+  const bool has_valid_options = options.convergence_threshold >= 0 && options.regularity_weight.value_or(0) >= 0;
   CGAL_precondition(has_valid_options);
   if(!has_valid_options)
     return {};

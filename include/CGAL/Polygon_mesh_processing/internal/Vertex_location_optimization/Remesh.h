@@ -36,7 +36,7 @@ struct Remesh : Mesh_arrays
 {
   Remesh(Mesh_arrays mesh, Constraints c)
     : Mesh_arrays(std::move(mesh)), constraints(std::move(c)), initial_points(points), previous_points(points),
-      next_points(points), mean_edge_length(compute_mean_edge_length()),
+      next_points(points), lengths(compute_lengths()),
       corners_of_vertices(points.size(), 3 * number_of_faces(), [this](Index corner) { return vertex(corner); })
   {}
 
@@ -52,11 +52,23 @@ struct Remesh : Mesh_arrays
   // whether the placement leaves vertex i where it is
   bool is_at_rest(std::size_t i) const
   {
-    constexpr double rounding = 1e-9; // relative to the mean edge length; what a planar part may move by mistake
-    return squared_distance(next_points[i], points[i]) <= square(rounding * mean_edge_length);
+    constexpr double rounding = 1e-9; // relative to the lengths of the edges; what a planar part may move by mistake
+    return squared_distance(next_points[i], points[i]) <= square(rounding * lengths[i]);
   }
 
   Vector last_displacement(std::size_t i) const { return points[i] - previous_points[i]; }
+
+  // of an edge or a face, by its vertices
+  template <std::size_t n>
+  double length_at(const std::array<Index, n>& vertices) const
+  {
+    double sum = 0;
+    for(Index i : vertices)
+      sum += lengths[i];
+    return sum / n;
+  }
+
+  double length_of_face(std::size_t f) const { return length_at(face(f)); }
 
   double largest_displacement() const
   {
@@ -96,16 +108,38 @@ struct Remesh : Mesh_arrays
   std::vector<Point> previous_points;      // of M_t-1; of M_0 in the first iteration
   std::vector<Point> next_points;          // p^_i, which become the points of M_t+1
 
-  const double mean_edge_length; // of M_0
+  // The mean length of the edges around each vertex of M_0. What is relative to the size of the triangles is relative to this,
+  // so that a mesh whose edges differ a hundredfold is treated alike everywhere.
+  const std::vector<double> lengths;
   const Index_groups corners_of_vertices;
 
 private:
-  double compute_mean_edge_length() const
+  // Averages over two rings of neighbors: those of a single vertex are no measure in a uniform mesh.
+  std::vector<double> compute_lengths() const
   {
-    double sum = 0;
+    std::vector<double> lengths_of_edges(points.size(), 0);
+    for_each_end([&](Index i, Index j) { lengths_of_edges[i] += norm(points[j] - points[i]); });
+    std::vector<double> sums(points.size(), 0);
+    std::vector<Index> numbers_of_edges(points.size(), 0), numbers(points.size(), 0);
+    for_each_end([&](Index i, Index) { ++numbers_of_edges[i]; });
+    for_each_end([&](Index i, Index j) {
+      sums[i] += lengths_of_edges[j];
+      numbers[i] += numbers_of_edges[j];
+    });
+    for(std::size_t i = 0; i < sums.size(); ++i)
+      sums[i] /= (std::max)(numbers[i], Index(1));
+    return sums;
+  }
+
+  // calls f(i, j) and f(j, i) for each edge ij
+  template <typename F>
+  void for_each_end(const F& f) const
+  {
     for(const std::array<Index, 2>& e : edges)
-      sum += norm(points[e[1]] - points[e[0]]);
-    return edges.empty() ? 0 : sum / edges.size();
+    {
+      f(e[0], e[1]);
+      f(e[1], e[0]);
+    }
   }
 };
 

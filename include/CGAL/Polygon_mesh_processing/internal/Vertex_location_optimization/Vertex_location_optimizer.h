@@ -120,7 +120,7 @@ private:
     if(iteration().is_free) // later nothing moves a vertex along the surface that would need a counterforce
     {
       placement.relax();
-      features.relax(m_remesh, m_options.number_of_relaxation_steps);
+      features.relax(m_remesh, m_options.number_of_relaxation_steps.value_or(default_number_of_relaxation_steps));
     }
 
     if(!start_phase(Phase::CORRECT_FLIPS))
@@ -150,7 +150,7 @@ private:
   // Once the vertices have settled there is one more iteration, with exact samples.
   void report_iteration(const double step_size)
   {
-    const bool settles = step_size <= m_options.convergence_threshold * m_remesh.mean_edge_length;
+    const bool settles = step_size <= m_options.convergence_threshold;
     m_report.converged = m_has_settled || (settles && iteration().is_last);
     m_has_settled = settles;
     m_report.displacement = m_remesh.largest_displacement();

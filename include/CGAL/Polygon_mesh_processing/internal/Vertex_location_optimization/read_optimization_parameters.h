@@ -14,7 +14,9 @@
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <numeric>
+#include <optional>
 #include <vector>
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
@@ -42,13 +44,15 @@ Optimization_options read_options(const NamedParameters& np)
   options.number_of_free_iterations =
     choose_parameter(get_parameter(np, internal_np::number_of_free_iterations), options.number_of_free_iterations);
   options.number_of_relaxation_steps =
-    choose_parameter(get_parameter(np, internal_np::number_of_relaxation_steps), options.number_of_relaxation_steps);
+    choose_parameter(get_parameter(np, internal_np::number_of_relaxation_steps), std::optional<std::size_t>());
   options.convergence_threshold =
     to_double(choose_parameter(get_parameter(np, internal_np::convergence_threshold), options.convergence_threshold));
   options.do_self_intersection_tests =
     choose_parameter(get_parameter(np, internal_np::do_self_intersection_tests), options.do_self_intersection_tests);
-  options.regularity_weight =
-    to_double(choose_parameter(get_parameter(np, internal_np::regularity_weight), options.regularity_weight));
+  constexpr double not_given = -1;
+  const double regularity_weight = to_double(choose_parameter(get_parameter(np, internal_np::regularity_weight), not_given));
+  if(regularity_weight != not_given)
+    options.regularity_weight = regularity_weight;
   options.guarantee_both_directions =
     choose_parameter(get_parameter(np, internal_np::guarantee_both_directions), options.guarantee_both_directions);
   options.preserve_volume =

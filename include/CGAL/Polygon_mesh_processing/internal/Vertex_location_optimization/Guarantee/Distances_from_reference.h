@@ -62,18 +62,19 @@ public:
   Approximation_error error() const
   {
     return sum_over_indices<ConcurrencyTag, Error_integral>(m_distances.size(), [&](std::size_t i) {
-             return Error_integral{ 1, m_distances[i], square(m_distances[i]), m_distances[i] };
+             return integral_of_sample(m_samples.weights[i], m_distances[i]);
            }).error();
   }
 
-  // Calls f(face, d) for each sample, with the face that was closest at first, and by how much the distance has grown.
+  // Calls f(face, d) for each sample, with the face that was closest at first, and by how much the integral of the distance
+  // has grown.
   template <typename F>
   void for_each_change(const F& f) const
   {
     for(std::size_t i = 0; i < m_distances.size(); ++i)
     {
       const Closest initial = closest(m_samples.points[i], m_remesh.initial_points, m_samples.faces[i]);
-      f(initial.face, m_distances[i] - initial.distance);
+      f(initial.face, m_samples.weights[i] * (m_distances[i] - initial.distance));
     }
   }
 
@@ -87,7 +88,7 @@ public:
   // The samples, and points between them to which climbing leads, whose distance exceeds `limit` and was less at first.
   std::vector<Distant_sample> find_distant(const double limit) const
   {
-    constexpr double close = 0.9; // relative to the limit; from samples of less climbing is not thought to lead above it
+    constexpr double close = 0.5; // relative to the limit; from samples of less climbing is not thought to lead above it
     std::vector<Distant_sample> result;
     std::vector<Index> candidates;
     for(Index i = 0; i < m_distances.size(); ++i)

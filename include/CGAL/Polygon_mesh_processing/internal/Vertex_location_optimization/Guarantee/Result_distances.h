@@ -40,10 +40,10 @@ class Result_distances
       samples.offsets = {};
     }
 
-    // for query k, which goes from `from` to `to`
-    void measure(std::size_t k, const Result_distances& of_remesh, const Point& from, const Point& to)
+    // for query k, which goes from `from` to `to`; the edges there have this length
+    void measure(std::size_t k, const Result_distances& of_remesh, const Point& from, const Point& to, double length)
     {
-      const double near = near_by(distances[k] + norm(to - from) / 2, of_remesh.m_remesh.mean_edge_length);
+      const double near = near_by(distances[k] + norm(to - from) / 2, length);
       const Foot foot = walk_or_search(of_remesh.m_reference, to, hints[k], near);
       distances[k] = distance_to_foot(to, of_remesh.m_reference, foot);
       hints[k] = foot;
@@ -188,11 +188,12 @@ private:
     return result;
   }
 
-  void measure_vertex(std::size_t i) { m_vertices.measure(i, *this, m_points[i], m_remesh.next_points[i]); }
+  void measure_vertex(std::size_t i) { m_vertices.measure(i, *this, m_points[i], m_remesh.next_points[i], m_remesh.lengths[i]); }
 
   void measure_midpoint(std::size_t e)
   {
-    m_midpoints.measure(e, *this, m_remesh.midpoint(e, m_points), m_remesh.midpoint(e, m_remesh.next_points));
+    m_midpoints.measure(e, *this, m_remesh.midpoint(e, m_points), m_remesh.midpoint(e, m_remesh.next_points),
+                        m_remesh.length_at(m_remesh.edges[e]));
   }
 
   // The orientation is that at the closest point: on a thin part that of another sheet has the opposite normal.

@@ -9,6 +9,7 @@
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Remesh.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/for_each_index.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -53,8 +54,8 @@ public:
   bool enclose(const double volume, std::vector<Point>& result) const
   {
     constexpr int max_steps = 20;
-    constexpr double accuracy = 1e-13, far = 0.1; // relative to the volume, and to the mean edge length
-    const double limit = far * m_remesh.mean_edge_length;
+    constexpr double accuracy = 1e-13, far = 0.1; // relative to the volume, and to the lengths of the edges
+    const double limit = far * *std::max_element(m_remesh.lengths.begin(), m_remesh.lengths.end());
     double distance = 0, last_distance = 0, last_error = 0;
     for(int step = 0; step < max_steps; ++step)
     {

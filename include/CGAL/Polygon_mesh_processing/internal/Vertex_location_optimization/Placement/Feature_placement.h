@@ -38,7 +38,7 @@ class Feature_placement
   };
 
 public:
-  Feature_placement(const Feature_curves& curves, const Remesh& remesh) : m_curves(curves), m_spring(remesh)
+  Feature_placement(const Feature_curves& curves, const Remesh& remesh) : m_curves(curves)
   {
     if(curves.empty())
       return;
@@ -110,14 +110,14 @@ public:
   void relax(Remesh& remesh, const std::size_t number_of_steps) const
   {
     std::vector<Vector> forces(m_curve_vertices.size(), NULL_VECTOR);
-    for(std::size_t step = 0; step < number_of_steps && m_spring.has_force(); ++step)
+    for(std::size_t step = 0; step < number_of_steps; ++step)
     {
       for(std::size_t k = 0; k < m_curve_vertices.size(); ++k)
       {
         const Curve_vertex& v = m_curve_vertices[k];
         Vector force = NULL_VECTOR;
         for(Index j : v.neighbors)
-          force = force + m_spring.force(remesh.next_points[v.vertex] - remesh.next_points[j]);
+          force = force + Spring::force(remesh.next_points[v.vertex] - remesh.next_points[j], remesh.lengths[v.vertex]);
         forces[k] = (force * v.tangent) * v.tangent;
       }
       for(std::size_t k = 0; k < m_curve_vertices.size(); ++k)
@@ -165,7 +165,6 @@ private:
   }
 
   const Feature_curves& m_curves;
-  const Spring m_spring;
   std::vector<Feature_edge> m_edges;
   std::vector<Curve_vertex> m_curve_vertices;
 };

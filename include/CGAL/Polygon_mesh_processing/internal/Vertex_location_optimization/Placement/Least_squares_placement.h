@@ -7,6 +7,7 @@
 #define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_LEAST_SQUARES_PLACEMENT_H
 
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Placement/for_each_sum_over_faces.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Placement/measure_regularity.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Placement/Normal_equations.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Placement/Placement.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Placement/pull_to_regular.h>
@@ -16,12 +17,13 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
 inline Optimization_options least_squares_defaults()
 {
-  constexpr double threshold = 7.5e-4; // where it ends the mean error is within 2% of that after twice as many iterations
+  constexpr double threshold = 3e-4; // where it ends the mean error is within 1% of that after twice as many iterations
   Optimization_options options{ LEAST_SQUARES, threshold, true };
   options.guarantee_both_directions = true; // the samples of the reference are there already
   return options;
@@ -55,17 +57,17 @@ class Least_squares_placement : public Placement<Reference>
 
 public:
   Least_squares_placement(const Reference& reference, Remesh& remesh, const Optimization_options& options)
-    : Base(reference, remesh, Sample_set::MIDPOINTS_AND_BARYCENTERS, true), m_regularity_weight(options.regularity_weight)
+    : Base(reference, remesh, Sample_set::MIDPOINTS_AND_BARYCENTERS, true),
+      m_regularity_weight(options.regularity_weight.value_or(default_weight)), m_keeps_shapes(!options.regularity_weight)
   {}
 
-  // The smaller the error of M_0, the less of it is given for regularity. 5.5% of the edge length is a large one.
   Initial_measure start() override
   {
-    Initial_measure initial = this->template start_samples<ConcurrencyTag>();
-    const double mean = mean_distance<ConcurrencyTag>(m_remesh, m_remesh.points, initial.distances);
-    constexpr double large_error = 0.055;
-    m_regularity_weight *= std::sqrt(mean / (large_error * m_remesh.mean_edge_length));
-    return initial;
+    if(m_keeps_shapes)
+      m_regularity = measure_regularity(m_remesh);
+    else
+      m_regularity.assign(m_remesh.points.size(), 1);
+    return this->template start_samples<ConcurrencyTag>();
   }
 
   void resample(const Iteration& iteration) override
@@ -86,27 +88,27 @@ public:
   // last displacement is repeated to get there sooner. A vertex whose samples fit stays.
   void place(const Iteration&) override
   {
-    // found by trial: they trade speed for settling; max_step is relative to the mean edge length
+    // found by trial: they trade speed for settling; max_step is relative to the length of the edges
     constexpr double relaxation = 1.4, momentum = 0.5, max_step = 0.25;
     constexpr double rounding = 1e-9; // relative to the terms of the equations
 
-    const double limit = max_step * m_remesh.mean_edge_length;
     for_each_sum_over_faces<ConcurrencyTag, Vertex_equations>(
       m_remesh, [&](std::size_t f) { return face_equations(f); },
       [&](std::size_t i, const Vertex_equations& of_vertex) {
         const Point& v = m_remesh.points[i];
         m_remesh.next_points[i] = v;
-        const double area = of_vertex.area;
+        const double area = of_vertex.area, edge_length = m_remesh.lengths[i], limit = max_step * edge_length;
         if(!m_remesh.is_free(i) || !(area > 0))
           return;
 
         Normal_equations equations = of_vertex.of_faces;
         equations += Normal_equations(m_samples.vertices.normal(i), m_samples.vertices.offset(i),
-                                      Cubic_quadrature::of_vertex(area), m_remesh.mean_edge_length);
-        if(norm(equations.right_hand_side()) <= rounding * area * m_remesh.mean_edge_length)
+                                      Cubic_quadrature::of_vertex(area), edge_length, reweighting(m_regularity[i]));
+        if(norm(equations.right_hand_side()) <= rounding * area * edge_length)
           return;
 
-        const Vector d = equations.solve(pull(i, of_vertex), pull_weight(of_vertex), rounding * area);
+        const Vector d =
+          equations.solve(pull(i, of_vertex), pull_weight(i, of_vertex, equations.mean_residual()), rounding * area);
         const Vector step = relaxation * d + momentum * m_remesh.last_displacement(i);
         const double length = norm(step);
         m_remesh.next_points[i] = v + (length > limit ? (limit / length) * step : step);
@@ -121,7 +123,8 @@ public:
   {
     double sum = 0;
     for(std::size_t i = 0; i < m_remesh.points.size(); ++i)
-      sum += square((m_remesh.next_points[i] - m_remesh.points[i]) * m_samples.vertices.normal(i));
+      if(m_remesh.lengths[i] > 0)
+        sum += square((m_remesh.next_points[i] - m_remesh.points[i]) * m_samples.vertices.normal(i) / m_remesh.lengths[i]);
     const double last = m_displacement_along_normals;
     m_displacement_along_normals = std::sqrt(sum / (std::max)(m_remesh.points.size(), std::size_t(1)));
     return (std::max)(last, m_displacement_along_normals);
@@ -131,41 +134,41 @@ private:
   // As the vertices settle the samples follow them more closely.
   Sampling_tolerance tolerance() const
   {
-    // relative to the mean edge length, and to the displacements; they trade exactness for time
+    // the third is relative to the displacements; they trade exactness for time
     constexpr double min_travel = 0.02, max_travel = 0.1, max_distance = 0.05, travel_by_displacement = 10;
-    const double length = m_remesh.mean_edge_length, travel = travel_by_displacement * m_displacement_along_normals;
-    return { std::clamp(travel, min_travel * length, max_travel * length), max_distance * length, true };
+    return { std::clamp(travel_by_displacement * m_displacement_along_normals, min_travel, max_travel), max_distance, true };
   }
 
   // what the samples in face f, but for those at its vertices, say to each of its vertices
   std::array<Vertex_equations, 3> face_equations(const std::size_t f) const
   {
     const std::array<Point, 3> t = m_remesh.triangle(f);
-    const double area = m_remesh.area(f), length = m_remesh.mean_edge_length;
+    const double area = m_remesh.area(f), length = m_remesh.length_of_face(f), power = reweighting_of_face(f);
     std::array<Normal_equations, 3> equations;
     for(int k = 0; k < 3; ++k)
     {
       const Index e = m_remesh.face_edges[f][k];
       const Normal_equations of_midpoint(m_samples.midpoints.normal(e), m_samples.midpoints.offset(e),
-                                         Cubic_quadrature::of_midpoint(area), length);
+                                         Cubic_quadrature::of_midpoint(area), length, power);
       equations[(k + 1) % 3].add(of_midpoint, 0.5);
       equations[(k + 2) % 3].add(of_midpoint, 0.5);
     }
 
     const Normal_equations of_barycenter(m_samples.barycenters.normal(f), m_samples.barycenters.offset(f),
-                                         Cubic_quadrature::of_barycenter(area), length);
+                                         Cubic_quadrature::of_barycenter(area), length, power);
     for(Normal_equations& of_corner : equations)
       of_corner.add(of_barycenter, 1. / 3);
 
-    m_area_samples.for_each_in_face(f, [&](const Point& point, const Vector& normal, const Coordinates& x) {
-      const std::array<double, 3> lambda = x.barycentric();
-      const Vector offset = point - point_at(t, x);
-      // inside the face the reference's normal, on its boundary the direction to the sample
-      const Vector direction = is_inside(lambda) ? Vector(NULL_VECTOR) : normalized(offset);
-      const Normal_equations of_sample(direction != NULL_VECTOR ? direction : normal, offset, m_area_samples.area(), length);
-      for(int k = 0; k < 3; ++k)
-        equations[k].add(of_sample, lambda[k]);
-    });
+    m_area_samples.for_each_in_face(
+      f, [&](const Point& point, const Vector& normal, double sample_area, const Coordinates& x) {
+        const std::array<double, 3> lambda = x.barycentric();
+        const Vector offset = point - point_at(t, x);
+        // inside the face the reference's normal, on its boundary the direction to the sample
+        const Vector direction = is_inside(lambda) ? Vector(NULL_VECTOR) : normalized(offset);
+        const Normal_equations of_sample(direction != NULL_VECTOR ? direction : normal, offset, sample_area, length, power);
+        for(int k = 0; k < 3; ++k)
+          equations[k].add(of_sample, lambda[k]);
+      });
     return { { { equations[0], area, 1 }, { equations[1], area, 1 }, { equations[2], area, 1 } } };
   }
 
@@ -182,15 +185,39 @@ private:
     return sum / of_vertex.number_of_faces;
   }
 
-  // all faces weigh the same here, as in the mean of their angles
-  double pull_weight(const Vertex_equations& of_vertex) const
+  // All faces weigh the same here, as in the mean of their angles. Where M_0 is irregular its shapes are kept rather than made
+  // regular. The smaller the present error around, the less of it is given for regularity.
+  double pull_weight(const std::size_t i, const Vertex_equations& of_vertex, const double mean_residual) const
   {
-    const double equilateral_area = std::sqrt(3.) / 4 * square(m_remesh.mean_edge_length);
-    return m_regularity_weight * of_vertex.number_of_faces * equilateral_area;
+    // found by trial, on remeshes and on simplified meshes; they trade the angles for the error
+    constexpr double part_of_irregular = 0.25;
+    constexpr double small_error = 0.018; // relative to the length of the edges; from there on it counts in full
+    const double x = mean_residual / (small_error * m_remesh.lengths[i]);
+    const double of_error = x / std::sqrt(std::sqrt(1 + square(square(x))));
+    const double of_shapes = std::pow(part_of_irregular, 1 - m_regularity[i]);
+    const double equilateral_area = std::sqrt(3.) / 4 * square(m_remesh.lengths[i]);
+    return m_regularity_weight * of_error * of_shapes * of_vertex.number_of_faces * equilateral_area;
   }
 
-  double m_regularity_weight; // from start() on relative to the error of M_0
-  double m_displacement_along_normals = 0; // of the last iteration, root mean square
+  // The power by which large distances count for less. Where regularity counts for little it comes nearer to 1, with which
+  // the mean distance itself is fitted: simplified meshes have small errors nearly everywhere.
+  static double reweighting(const double regularity)
+  {
+    constexpr double of_regular = 0.5, of_irregular = 0.7;
+    return of_irregular + (of_regular - of_irregular) * regularity;
+  }
+
+  double reweighting_of_face(const std::size_t f) const
+  {
+    const std::array<Index, 3>& v = m_remesh.face(f);
+    return reweighting((m_regularity[v[0]] + m_regularity[v[1]] + m_regularity[v[2]]) / 3);
+  }
+
+  static constexpr double default_weight = 0.135;
+  const double m_regularity_weight;
+  const bool m_keeps_shapes;        // of M_0, where they are irregular: unless the user has chosen the weight
+  std::vector<double> m_regularity; // of M_0
+  double m_displacement_along_normals = 0; // of the last iteration, relative to the lengths, root mean square
 };
 
 } // namespace CGAL::Polygon_mesh_processing::internal::vertex_location

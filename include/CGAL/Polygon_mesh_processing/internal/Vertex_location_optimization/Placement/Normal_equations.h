@@ -24,17 +24,20 @@ public:
   Normal_equations() = default;
 
   // Those of a sample at the vertex: along `normal` it should move by `offset`, from the remesh to the reference. `area` is
-  // what the sample stands for. Reweighting makes the squares the power 3/2 of the distances, but for the smallest: that
-  // lowers the mean distance at the same regularity, as a few bad places count for less.
-  Normal_equations(const Vector& normal, const Vector& offset, const double area, const double mean_edge_length)
+  // what the sample stands for. Reweighting makes the squares the power 2 - `reweighting` of the distances, but for the
+  // smallest: that lowers the mean distance at the same regularity, as a few bad places count for less.
+  Normal_equations(
+    const Vector& normal, const Vector& offset, const double area, const double length, const double reweighting)
   {
-    constexpr double smallest_residual = 0.001; // relative to the mean edge length
+    constexpr double smallest_residual = 1e-4; // relative to `length`, that of edges
     const double residual = normal * offset;
-    const double weight = area / std::sqrt(smallest_residual + std::abs(residual) / mean_edge_length);
+    const double weight = area * std::pow(smallest_residual + std::abs(residual) / length, -reweighting);
     const Vector m = weight * normal;
     m_H = { m.x() * normal.x(), m.x() * normal.y(), m.x() * normal.z(),
             m.y() * normal.y(), m.y() * normal.z(), m.z() * normal.z() };
     m_g = residual * m;
+    m_area = area;
+    m_sum_of_residuals = area * std::abs(residual);
   }
 
   // adds those of a sample of whose displacement the vertex makes the part `lambda`
@@ -43,6 +46,8 @@ public:
     for(int k = 0; k < 6; ++k)
       m_H[k] += lambda * lambda * of_sample.m_H[k];
     m_g = m_g + lambda * of_sample.m_g;
+    m_area += lambda * of_sample.m_area;
+    m_sum_of_residuals += lambda * of_sample.m_sum_of_residuals;
   }
 
   Normal_equations& operator+=(const Normal_equations& other)
@@ -50,6 +55,8 @@ public:
     for(int k = 0; k < 6; ++k)
       m_H[k] += other.m_H[k];
     m_g = m_g + other.m_g;
+    m_area += other.m_area;
+    m_sum_of_residuals += other.m_sum_of_residuals;
     return *this;
   }
 
@@ -76,9 +83,13 @@ public:
 
   const Vector& right_hand_side() const { return m_g; }
 
+  // of the distances along the normals, over the area that the samples stand for
+  double mean_residual() const { return m_area > 0 ? m_sum_of_residuals / m_area : 0; }
+
 private:
   Diagonalize_traits::Covariance_matrix m_H{ { 0, 0, 0, 0, 0, 0 } }; // the upper triangle, row by row
   Vector m_g = NULL_VECTOR;
+  double m_area = 0, m_sum_of_residuals = 0;
 };
 
 } // namespace CGAL::Polygon_mesh_processing::internal::vertex_location

@@ -7,12 +7,17 @@
 #define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_PIECEWISE_LINEAR_PLACEMENT_H
 
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Placement/for_each_sum_over_faces.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Placement/measure_regularity.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Placement/piecewise_linear_update.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Placement/Placement.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Placement/springs.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <optional>
+#include <vector>
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
@@ -44,11 +49,16 @@ class Piecewise_linear_placement : public Placement<Reference>
 
 public:
   Piecewise_linear_placement(const Reference& reference, Remesh& remesh, const Optimization_options& options)
-    : Base(reference, remesh, Sample_set::MIDPOINT_LOCATIONS, options.guarantee_both_directions), m_spring(remesh),
+    : Base(reference, remesh, Sample_set::MIDPOINT_LOCATIONS, options.guarantee_both_directions),
       m_number_of_relaxation_steps(options.number_of_relaxation_steps)
   {}
 
-  Initial_measure start() override { return this->template start_samples<ConcurrencyTag>(); }
+  Initial_measure start() override
+  {
+    if(!m_number_of_relaxation_steps)
+      m_regularity = measure_regularity(m_remesh);
+    return this->template start_samples<ConcurrencyTag>();
+  }
 
   void resample(const Iteration& iteration) override
   {
@@ -90,24 +100,32 @@ public:
 
   void relax() override
   {
-    relax_springs<ConcurrencyTag>(m_remesh, m_spring, m_number_of_relaxation_steps,
-                                  [&](std::size_t i) -> const Vector& { return m_samples.vertices.normal(i); });
+    relax_springs<ConcurrencyTag>(
+      m_remesh, m_number_of_relaxation_steps.value_or(default_number_of_relaxation_steps),
+      [&](std::size_t i) { return m_regularity.empty() ? 1. : m_regularity[i]; },
+      [&](std::size_t i) -> const Vector& { return m_samples.vertices.normal(i); });
   }
 
-  double step_size() override { return m_remesh.largest_displacement(); }
+  double step_size() override
+  {
+    double largest2 = 0;
+    for(std::size_t i = 0; i < m_remesh.points.size(); ++i)
+      if(m_remesh.next_points[i] != m_remesh.points[i])
+        largest2 =
+          (std::max)(largest2, squared_distance(m_remesh.next_points[i], m_remesh.points[i]) / square(m_remesh.lengths[i]));
+    return std::sqrt(largest2);
+  }
 
 private:
   // Along the normal a vertex moves over its foot: once all samples have been searched when that begins, they stay.
   Sampling_tolerance tolerance(const Iteration& iteration) const
   {
-    constexpr double max_travel = 0.04,
-                     max_distance = 0.05; // relative to the mean edge length; they trade exactness for time
-    const double length = m_remesh.mean_edge_length;
-    return { iteration.is_first_along_normals ? 0 : max_travel * length, max_distance * length, iteration.is_free };
+    constexpr double max_travel = 0.04, max_distance = 0.05; // they trade exactness for time
+    return { iteration.is_first_along_normals ? 0 : max_travel, max_distance, iteration.is_free };
   }
 
-  const Spring m_spring;
-  const std::size_t m_number_of_relaxation_steps;
+  const std::optional<std::size_t> m_number_of_relaxation_steps;
+  std::vector<double> m_regularity; // of M_0; empty if the user has chosen the springs
 };
 
 } // namespace CGAL::Polygon_mesh_processing::internal::vertex_location

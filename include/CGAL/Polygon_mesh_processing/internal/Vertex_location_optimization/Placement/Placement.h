@@ -12,6 +12,7 @@
 #include <CGAL/Polygon_mesh_processing/Placement_method.h>
 
 #include <cstddef>
+#include <optional>
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
@@ -19,14 +20,16 @@ namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 struct Optimization_options
 {
   Placement_method placement_method;
-  double convergence_threshold; // relative to the mean edge length
+  double convergence_threshold; // relative to the lengths of the edges
   bool do_self_intersection_tests;
   std::size_t number_of_iterations = 30;
   std::size_t number_of_free_iterations = 20;
-  std::size_t number_of_relaxation_steps = 1;
-  double regularity_weight = 0.15; // of LEAST_SQUARES
   bool guarantee_both_directions = false;
   bool preserve_volume = false;
+
+  // where the user has not chosen one, the default, but less where the faces of M_0 are irregular
+  std::optional<std::size_t> number_of_relaxation_steps = std::nullopt;
+  std::optional<double> regularity_weight = std::nullopt; // of LEAST_SQUARES
 };
 
 // Where a run is.
@@ -63,7 +66,8 @@ public:
   // moves the next points of a free iteration along the surface, as far as that is not done in `place()`
   virtual void relax() = 0;
 
-  // how far the vertices move, as far as the end of the iterations depends on it; called once in each iteration
+  // How far the vertices move, relative to the lengths of their edges, as far as the end of the iterations depends on it;
+  // called once in each iteration.
   virtual double step_size() = 0;
 
   Remesh_samples<Reference>& samples() { return m_samples; }
@@ -77,7 +81,8 @@ protected:
   {
     Initial_measure measure = m_samples.template start<ConcurrencyTag>(m_reference, m_remesh);
     if(m_takes_area_samples)
-      measure.error_from_reference = m_area_samples.template start<ConcurrencyTag>(m_reference, m_remesh);
+      measure.error_from_reference = m_area_samples.template start<ConcurrencyTag>(
+        m_reference, m_remesh, [&](std::size_t f) { return m_samples.midpoints.hint(m_remesh.edge_at_first_vertex(f)); });
     return measure;
   }
 

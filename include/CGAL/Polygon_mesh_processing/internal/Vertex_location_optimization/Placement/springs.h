@@ -15,39 +15,27 @@
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
+constexpr std::size_t default_number_of_relaxation_steps = 1;
+
 // The force between two neighbors, equations (3) and (4).
-class Spring
+struct Spring
 {
-public:
-  explicit Spring(const Remesh& remesh)
+  // on the end of the spring, where `from_other_end` leads; `length` is that of the edges there
+  static Vector force(const Vector& from_other_end, const double length)
   {
-    double area = 0;
-    for(std::size_t f = 0; f < remesh.number_of_faces(); ++f)
-      area += remesh.area(f);
-    const double sigma = 0.3 * std::sqrt(area / remesh.points.size()); // the paper's
-    m_two_sigma2 = 2 * sigma * sigma;
+    constexpr double area_per_vertex = 0.866; // in units of length^2, of equilateral triangles
+    const double two_sigma2 = 2 * square(0.3) * area_per_vertex * square(length); // the paper's, but local
+    return two_sigma2 > 0 ? Vector(std::exp(-from_other_end.squared_length() / two_sigma2) * from_other_end) : NULL_VECTOR;
   }
-
-  // a mesh without an area has no springs
-  bool has_force() const { return m_two_sigma2 > 0; }
-
-  // on the end of the spring, where `from_other_end` leads
-  Vector force(const Vector& from_other_end) const
-  {
-    return std::exp(-from_other_end.squared_length() / m_two_sigma2) * from_other_end;
-  }
-
-private:
-  double m_two_sigma2;
 };
 
 // Section 3.3: springs between neighbors keep the vertices apart. Their force is taken in the tangent plane, orthogonal to
 // `normal(i)`: along the normal it would only push the surface outwards. A vertex that the fit leaves where it is needs no
-// spring: planar parts stay as they are.
-template <typename ConcurrencyTag, typename Normal>
-void relax_springs(Remesh& remesh, const Spring& spring, const std::size_t number_of_steps, const Normal& normal)
+// spring: planar parts stay as they are. `strength(i)` is a factor to the force on vertex i.
+template <typename ConcurrencyTag, typename Strength, typename Normal>
+void relax_springs(Remesh& remesh, const std::size_t number_of_steps, const Strength& strength, const Normal& normal)
 {
-  if(number_of_steps == 0 || !spring.has_force())
+  if(number_of_steps == 0)
     return;
 
   std::vector<Point> relaxed(remesh.points.size());
@@ -62,10 +50,10 @@ void relax_springs(Remesh& remesh, const Spring& spring, const std::size_t numbe
       Vector force = NULL_VECTOR;
       remesh.for_each_corner(i, [&](Index c) {
         // around an inner vertex each neighbor follows it in one face
-        force = force + spring.force(p - remesh.next_points[remesh.vertex(Mesh_arrays::next(c))]);
+        force = force + Spring::force(p - remesh.next_points[remesh.vertex(Mesh_arrays::next(c))], remesh.lengths[i]);
       });
       const Vector& n = normal(i);
-      relaxed[i] = p + (force - (force * n) * n);
+      relaxed[i] = p + strength(i) * (force - (force * n) * n);
     });
     remesh.next_points.swap(relaxed);
   }

@@ -30,8 +30,9 @@ namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 //   feet_at(foot)                 all feet that are the same point: on an edge they have the normals of several faces
 //   area_at(foot)                 the area of the patch that the foot is in, to tell how fine the surface is; 0: it has none
 //   area()                        0: the surface cannot be sampled
-//   for_each_area_sample(a, f)    calls f(foot) for points spread evenly over the surface, each of which stands for the
-//                                 area a
+//   for_each_area_sample(n, m, hint, area, f)
+//                                 calls f(foot, a) for some n points spread over the surface, each of which stands for the
+//                                 area a; near the feet hint(0), ..., hint(m - 1) a is proportional to area(k)
 //   climb(foot, value)            the point to which climbing from `foot` leads, with the height value(foot)
 //   is_closed(), volume<Tag>()    whether it encloses a volume, and that
 //   summary<ConcurrencyTag>()     its kind, and how far it is from the faces of its mesh
@@ -62,8 +63,8 @@ public:
   std::array<Foot, 1> feet_at(const Foot& foot) const { return { { foot } }; }
   double area_at(const Foot&) const { return 0; }
   double area() const { return 0; }
-  template <typename F>
-  void for_each_area_sample(double, const F&) const
+  template <typename HintAt, typename AreaAt, typename F>
+  void for_each_area_sample(std::size_t, std::size_t, const HintAt&, const AreaAt&, const F&) const
   {}
   template <typename Value>
   Foot climb(const Foot& foot, const Value&) const

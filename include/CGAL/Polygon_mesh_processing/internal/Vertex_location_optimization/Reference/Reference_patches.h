@@ -159,14 +159,27 @@ public:
 
   // The patches are in an order in which neighbors follow each other: points at equal steps of the area are spread over
   // the surface.
-  template <typename F>
-  void for_each_area_sample(const double area, const F& f) const
+  template <typename HintAt, typename AreaAt, typename F>
+  void
+  for_each_area_sample(const std::size_t n, const std::size_t m, const HintAt& hint, const AreaAt& area, const F& f) const
   {
+    std::vector<double> areas = spread_over_patches(m, hint, area); // that each sample in a patch stands for
+    double number_of_samples = 0;
+    for(Index i = 0; i < areas.size(); ++i)
+      number_of_samples += areas[i] > 0 ? m_tree.patch(i).area() / areas[i] : 0;
+    if(!(number_of_samples > 0))
+      return;
+
     double passed = 0;
     std::size_t number = 0; // of the samples so far
     for(Index i = 0; i < m_neighbors.size(); ++i)
-      for(passed += m_tree.patch(i).area(); (number + 0.5) * area < passed; ++number)
-        f(Foot{ i, low_discrepancy_coordinates(number) });
+    {
+      const double area_of_sample = areas[i] * (number_of_samples / n);
+      if(!(area_of_sample > 0))
+        continue;
+      for(passed += m_tree.patch(i).area() / area_of_sample; number + 0.5 < passed; ++number)
+        f(Foot{ i, low_discrepancy_coordinates(number) }, area_of_sample);
+    }
   }
 
   // The point to which climbing from `foot` leads, where value(foot) is no lower than around it: from corner to corner of
@@ -198,6 +211,30 @@ public:
   const Feature_curves& feature_curves() const { return m_curves; }
 
 private:
+  // For each patch the largest area(k) of the feet hint(k), k < m, in it; where there is none, the larger one of those
+  // before and after it: what follows each other is close in space, but for a few leaps.
+  template <typename HintAt, typename AreaAt>
+  std::vector<double> spread_over_patches(const std::size_t m, const HintAt& hint, const AreaAt& area) const
+  {
+    std::vector<double> areas(m_neighbors.size(), 0);
+    for(std::size_t k = 0; k < m; ++k)
+    {
+      double& of_patch = areas[Foot(hint(k)).patch];
+      of_patch = (std::max)(of_patch, area(k));
+    }
+    double last = 0;
+    for(std::size_t begin = 0, end = 0; begin < areas.size(); begin = end)
+    {
+      while(end < areas.size() && !(areas[end] > 0))
+        ++end;
+      const double next = end < areas.size() ? areas[end] : 0;
+      std::fill(areas.begin() + begin, areas.begin() + end, (std::max)(last, next));
+      last = next;
+      end += end < areas.size();
+    }
+    return areas;
+  }
+
   // How far a patch, or several, are from the flat triangles, at the midpoints of the sides and at the barycenters.
   struct Patch_deviation
   {

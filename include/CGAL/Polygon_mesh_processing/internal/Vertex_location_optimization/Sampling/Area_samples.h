@@ -70,7 +70,7 @@ double largest_distance_from(const Reference& reference,
                              const std::vector<double>& distances,
                              const Face& face)
 {
-  constexpr std::size_t max_samples = 64; // it trades time for a maximum that is elsewhere
+  constexpr std::size_t max_samples = 256; // it trades time for a maximum that is elsewhere
   std::vector<Index> order(points.size());
   std::iota(order.begin(), order.end(), Index(0));
   const auto end = order.begin() + (std::min)(max_samples, order.size());
@@ -88,21 +88,28 @@ double largest_distance_from(const Reference& reference,
   return largest;
 }
 
+// what a sample at this distance adds, which stands for the area `weight`
+inline Error_integral integral_of_sample(const double weight, const double distance)
+{
+  return { weight, weight * distance, weight * square(distance), distance };
+}
+
 // Points of the reference, each with the face of the remesh that is closest.
 struct Points_and_faces
 {
   std::vector<Point> points;
+  std::vector<float> weights; // the areas that they stand for, in any unit
   std::vector<Index> faces;
 };
 
-// Points spread evenly over the reference, each with the closest point of the remesh, in the order of the faces that these
-// were in at first: most stay there. There are none if the reference cannot be sampled.
+// Points spread over the reference, as densely as the faces of the remesh, each with the closest point of the remesh, in the
+// order of the faces that these were in at first: most stay there. There are none if the reference cannot be sampled.
 class Area_samples
 {
 public:
-  // Takes the samples; returns the distance from the reference.
-  template <typename ConcurrencyTag, typename Reference>
-  Approximation_error start(const Reference& reference, const Remesh& remesh)
+  // Takes the samples; returns the distance from the reference. `hint(f)` is a foot of face f on the reference.
+  template <typename ConcurrencyTag, typename Reference, typename HintOfFace>
+  Approximation_error start(const Reference& reference, const Remesh& remesh, const HintOfFace& hint)
   {
     constexpr std::size_t samples_per_face = 6; // of the remesh; they take most of the time and memory of the fit
     const std::size_t number_of_faces = remesh.number_of_faces(), n = samples_per_face * number_of_faces;
@@ -111,9 +118,16 @@ public:
     {
       m_points.reserve(n);
       m_normals.reserve(n);
-      reference.for_each_area_sample(m_area, [&](const auto& foot) {
+      m_weights.reserve(n);
+      // where faces are large, on thin parts, say, samples are as close as on an average
+      const auto squared_length = [&](std::size_t f) { return square(remesh.length_of_face(f)); };
+      const double mean =
+        sum_over_indices<ConcurrencyTag, double>(number_of_faces, squared_length) / static_cast<double>(number_of_faces);
+      const auto area = [&](std::size_t f) { return (std::min)(squared_length(f), mean); };
+      reference.for_each_area_sample(n, number_of_faces, hint, area, [&](const auto& foot, double area_of_sample) {
         m_points.push_back(reference.point(foot));
         m_normals.push_back(reference.normal(foot));
+        m_weights.push_back(static_cast<float>(area_of_sample / m_area));
       });
     }
 
@@ -129,6 +143,7 @@ public:
     const std::vector<Index> order = m_samples_of_faces.members();
     permute(m_points, order);
     permute(m_normals, order);
+    permute(m_weights, order);
     m_feet.resize(order.size());
     for_each_index<ConcurrencyTag>(m_feet.size(), [&](std::size_t i) {
       const Index face = faces[order[i]];
@@ -139,7 +154,7 @@ public:
   }
 
   // Finds the closest points for `remesh.points` from the last ones, but keeps those on faces whose vertices have gone no
-  // farther than `tolerance` since.
+  // farther than `tolerance` since, relative to the lengths of their edges.
   template <typename ConcurrencyTag>
   void update(const Remesh& remesh, const double tolerance)
   {
@@ -147,7 +162,7 @@ public:
       if(m_travels[f] > tolerance) // its samples were searched in the last iteration
         m_travels[f] = 0;
       const auto displacement = [&](int k) { return norm(remesh.last_displacement(remesh.face(f)[k])); };
-      m_travels[f] += (std::max)({ displacement(0), displacement(1), displacement(2) });
+      m_travels[f] += (std::max)({ displacement(0), displacement(1), displacement(2) }) / remesh.length_of_face(f);
     });
     for_each_index<ConcurrencyTag>(m_points.size(), [&](std::size_t i) {
       if(m_travels[m_feet[i].patch] > tolerance)
@@ -156,21 +171,21 @@ public:
     group_by_face(remesh.number_of_faces());
   }
 
-  double area() const { return m_area; } // of the reference, that each sample stands for
-
   // the points, and the faces that are closest to them, for good
   Points_and_faces take() &&
   {
-    Points_and_faces result{ std::move(m_points), std::vector<Index>(m_feet.size()) };
+    Points_and_faces result{ std::move(m_points), std::move(m_weights), std::vector<Index>(m_feet.size()) };
     std::transform(m_feet.begin(), m_feet.end(), result.faces.begin(), [](const Patch_foot& foot) { return foot.patch; });
     return result;
   }
 
-  // calls f(point, normal, coordinates) for each sample whose closest point is in the face, with the coordinates there
+  // calls f(point, normal, area, coordinates) for each sample whose closest point is in the face, with the area of the
+  // reference that it stands for and the coordinates of the closest point
   template <typename F>
   void for_each_in_face(std::size_t face, const F& f) const
   {
-    m_samples_of_faces.for_each(face, [&](Index i) { f(m_points[i], m_normals[i], m_feet[i].coordinates); });
+    m_samples_of_faces.for_each(
+      face, [&](Index i) { f(m_points[i], m_normals[i], m_weights[i] * m_area, m_feet[i].coordinates); });
   }
 
 private:
@@ -195,7 +210,7 @@ private:
     std::vector<double> distances(m_points.size());
     const auto integral = sum_over_indices<ConcurrencyTag, Error_integral>(m_points.size(), [&](std::size_t i) {
       distances[i] = norm(m_points[i] - tree.point(m_feet[i]));
-      return Error_integral{ 1, distances[i], square(distances[i]), distances[i] };
+      return integral_of_sample(m_weights[i], distances[i]);
     });
     Approximation_error error = integral.error();
     error.max = largest_distance_from(reference, tree, m_points, distances, [&](Index i) { return m_feet[i].patch; });
@@ -220,7 +235,8 @@ private:
   std::vector<Point> m_points;
   std::vector<Vector> m_normals;
   std::vector<Patch_foot> m_feet; // on the remesh: a patch is a face
-  double m_area = 0;
+  double m_area = 0;              // of the reference, that a sample stands for on an average
+  std::vector<float> m_weights;   // the area that each sample stands for, relative to that
   Index_groups m_samples_of_faces;
   std::vector<double> m_travels; // how far the vertices of each face have gone since its samples were searched
 };

@@ -18,7 +18,8 @@
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
-// How exact the samples must be between the first and the last iteration.
+// How exact the samples must be between the first and the last iteration. Lengths are relative to those of the edges of the
+// remesh around each query.
 struct Sampling_tolerance
 {
   double travel;   // a query moves so far before its closest point is searched again
@@ -42,10 +43,8 @@ class Closest_points
 public:
   Closest_points() = default;
 
-  // no tolerance may let a query go as far as a quarter of `mean_edge_length`
-  Closest_points(const std::size_t n, const double mean_edge_length, const bool has_normals)
-    : m_travel_unit((std::max)(0.25 * mean_edge_length / max_travel, (std::numeric_limits<double>::min)())),
-      m_samples{ std::vector<Vector>(n, NULL_VECTOR), std::vector<Hint>(n) }, m_normals(has_normals ? n : 0, NULL_VECTOR),
+  Closest_points(const std::size_t n, const bool has_normals)
+    : m_samples{ std::vector<Vector>(n, NULL_VECTOR), std::vector<Hint>(n) }, m_normals(has_normals ? n : 0, NULL_VECTOR),
       m_travels(n, 0)
   {}
 
@@ -80,19 +79,20 @@ public:
     m_travels[i] = 0;
   }
 
-  // Tells sample i that its query has moved by `displacement`; returns whether the closest point must be searched again,
-  // with `update()`. For a sample without a normal `off_tangent_plane()` is the part of the displacement off the tangent
+  // Tells sample i that its query, where the edges have the length `length`, has moved by `displacement`; returns whether
+  // the closest point must be searched again, with `update()`. For a sample without a normal `off_tangent_plane()` is the part of the displacement off the tangent
   // plane.
   template <typename OffTangentPlane>
   bool move(std::size_t i,
             const Sampling_tolerance& tolerance,
             const Vector& displacement,
+            const double length,
             const OffTangentPlane& off_tangent_plane)
   {
-    const double travel = m_travels[i] * m_travel_unit + norm(displacement);
+    const double travel = m_travels[i] * travel_unit + norm(displacement) / length;
     if(!(travel <= tolerance.travel))
       return true;
-    m_travels[i] = static_cast<Travel>((std::min)(max_travel, std::ceil(travel / m_travel_unit)));
+    m_travels[i] = static_cast<Travel>((std::min)(max_travel, std::ceil(travel / travel_unit)));
 
     Vector& offset = m_samples.offsets[i];
     if(!tolerance.slides)
@@ -107,19 +107,19 @@ public:
   // Moves sample i to the point closest to `query` around the last one. The whole reference is searched only if that is so
   // far away that the closest point may be nearer by more than the tolerance.
   template <typename Reference>
-  void update(std::size_t i, const Reference& reference, const Sampling_tolerance& tolerance, const Point& query)
+  void update(
+    std::size_t i, const Reference& reference, const Sampling_tolerance& tolerance, const Point& query, const double length)
   {
     set_foot(i, reference, query, reference.project_locally(query, hint(i)));
-    if(!(norm(offset(i)) <= tolerance.distance))
+    if(!(norm(offset(i)) <= tolerance.distance * length))
       project(i, reference, query, hint(i));
   }
 
 private:
-  // how far a query has gone since its closest point was found, in units
+  // how far a query has gone since its closest point was found, in units; no tolerance may be as large as a quarter
   using Travel = std::uint16_t;
-  static constexpr double max_travel = (std::numeric_limits<Travel>::max)();
+  static constexpr double max_travel = (std::numeric_limits<Travel>::max)(), travel_unit = 0.25 / max_travel;
 
-  double m_travel_unit = 0;
   Sample_offsets<Hint> m_samples;
   std::vector<Vector> m_normals;
   std::vector<Travel> m_travels;

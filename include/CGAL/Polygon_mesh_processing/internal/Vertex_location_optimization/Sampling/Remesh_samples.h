@@ -56,9 +56,8 @@ public:
   using Samples = Closest_points<Hint>;
 
   Remesh_samples(const Remesh& remesh, const Sample_set set)
-    : vertices(remesh.points.size(), remesh.mean_edge_length, true),
-      midpoints(remesh.edges.size(), remesh.mean_edge_length, set == Sample_set::MIDPOINTS_AND_BARYCENTERS),
-      barycenters(set == Sample_set::MIDPOINTS_AND_BARYCENTERS ? remesh.number_of_faces() : 0, remesh.mean_edge_length, true)
+    : vertices(remesh.points.size(), true), midpoints(remesh.edges.size(), set == Sample_set::MIDPOINTS_AND_BARYCENTERS),
+      barycenters(set == Sample_set::MIDPOINTS_AND_BARYCENTERS ? remesh.number_of_faces() : 0, true)
   {}
 
   // Takes the first samples. The closest points to the barycenters are found in any case, to measure M_0.
@@ -141,6 +140,7 @@ private:
               const QueryAt& query_at)
   {
     constexpr std::size_t block_size = 256;
+    const auto length_at = [&](std::size_t k) { return remesh.length_at(vertices_at(k)); };
     for_each_block<ConcurrencyTag>(samples.size(), block_size, [&](std::size_t begin, std::size_t end) {
       boost::container::small_vector<std::size_t, block_size> is_due; // few: what they need of the reference is far away
       for(std::size_t k = begin; k < end; ++k)
@@ -159,14 +159,14 @@ private:
             return Vector((remesh.last_displacement(i) * m) * m);
           });
         };
-        if(samples.move(k, tolerance, displacement, off_tangent_plane))
+        if(samples.move(k, tolerance, displacement, length_at(k), off_tangent_plane))
         {
           is_due.push_back(k);
           reference.prefetch(samples.hint(k));
         }
       }
       for(std::size_t k : is_due)
-        samples.update(k, reference, tolerance, query_at(k));
+        samples.update(k, reference, tolerance, query_at(k), length_at(k));
     });
   }
 };

@@ -150,7 +150,7 @@ public:
   // Whether the largest distance on face f is larger than `limit` and than with the initial points.
   bool exceeds(std::size_t f, double limit) const
   {
-    constexpr double small = 0.3; // relative to the limit; where no sample is larger none is thought to be missing
+    constexpr double small = 0.15; // relative to the limit; where no sample is larger none is thought to be missing
     const double sampled = sampled_maximum(f);
     if(sampled <= small * limit)
       return false;

@@ -162,13 +162,15 @@ Approximation_error approximation_error(const TriangleMesh& tmesh,
     if constexpr(has_face_map)
     {
       const auto face_error_map = get_parameter(np1, internal_np::face_error_map);
+      const auto polygon_errors = errors_of_polygons(mesh, face_errors);
       for(std::size_t f = 0; f < face_errors.size(); ++f)
-        put(face_error_map, face(descriptors.halfedges[f], tmesh), face_errors[f].mean);
+        put(face_error_map, face(descriptors.halfedges[f], tmesh), polygon_errors[mesh.polygon(f)].mean);
     }
     if constexpr(has_vertex_map)
     {
       const auto vertex_error_map = get_parameter(np1, internal_np::vertex_error_map);
-      const auto means = mean_around_vertices<ConcurrencyTag>(mesh, surface, vertex_feet, face_errors);
+      const auto means =
+        mean_around_vertices<ConcurrencyTag>(mesh, surface, vertex_feet, errors_of_polygons(mesh, face_errors));
       for(std::size_t i = 0; i < means.size(); ++i)
         put(vertex_error_map, descriptors.vertices[i], means[i]);
     }

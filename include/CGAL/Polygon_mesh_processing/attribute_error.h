@@ -129,7 +129,7 @@ Approximation_error attribute_error(const TriangleMesh& tmesh,
     return failure;
   const std::size_t number_of_points =
     choose_parameter(get_parameter(np1, internal_np::number_of_points_per_face), default_number_of_points_per_face);
-  bool has_mesh_values = has_all_values(tmesh, descriptors, attribute_map);
+  bool has_mesh_values = has_all_values(tmesh, mesh, descriptors, attribute_map);
   std::vector<Value> corner_values;
   if(has_mesh_values)
     corner_values = read_corner_values<Value>(tmesh, mesh, descriptors, attribute_map,

@@ -160,7 +160,7 @@ void optimize_vertex_attributes(const TriangleMesh& tmesh,
   if(!read_mesh(tmesh, read_vertex_point_map(tmesh, np1), mesh, descriptors))
     return;
   const std::vector<char> is_seam = find_constrained_edges(mesh, descriptors, np1);
-  const bool is_map_of_mesh = has_all_values(tmesh, descriptors, attribute_map);
+  const bool is_map_of_mesh = has_all_values(tmesh, mesh, descriptors, attribute_map);
   CGAL_precondition_msg(is_map_of_mesh, "The attribute map is not one of the mesh.");
   if(!is_map_of_mesh)
     return;
@@ -181,7 +181,7 @@ void optimize_vertex_attributes(const TriangleMesh& tmesh,
     const Corner_nodes& nodes = fit.nodes();
     const std::vector<Index> node_of_vertex = choose_vertex_nodes(mesh, nodes);
     write_values(
-      tmesh, descriptors, attribute_map,
+      tmesh, mesh, descriptors, attribute_map,
       [&](std::size_t c) { return Attribute::from_signal(fit.values()[nodes.of_corner(c)]); },
       [&](std::size_t i) {
         return Attribute::from_signal(node_of_vertex[i] == no_index ? samples.at_vertices[i]

@@ -225,8 +225,8 @@ Vertex_location_optimization_report optimize_vertex_locations(TriangleMesh& tmes
   const auto allow_move = [&](std::size_t i, const Point& source, const Point& target) {
     return is_allowed(descriptors.vertices[i], convert<Point_3>(source), convert<Point_3>(target));
   };
-  const Self_intersection_test<ConcurrencyTag, TriangleMesh> find_self_intersections(tmesh, descriptors,
-                                                                                     options.do_self_intersection_tests);
+  const Self_intersection_test<ConcurrencyTag, TriangleMesh, decltype(vpm)> find_self_intersections(
+    tmesh, vpm, descriptors, options.do_self_intersection_tests);
   auto visitor_or_reference =
     choose_parameter(get_parameter(np1, internal_np::visitor), Vertex_location_optimization_default_visitor());
   auto& visitor = unwrap_reference(visitor_or_reference);

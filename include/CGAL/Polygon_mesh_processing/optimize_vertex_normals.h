@@ -126,7 +126,7 @@ void optimize_vertex_normals(const TriangleMesh& tmesh,
       return unit_normal_or(to_vector(fit.values()[node]), to_vector(fit.sample(node)));
     };
     write_values(
-      tmesh, descriptors, normal_map, [&](std::size_t c) { return convert<Normal>(normal_at(nodes.of_corner(c))); },
+      tmesh, mesh, descriptors, normal_map, [&](std::size_t c) { return convert<Normal>(normal_at(nodes.of_corner(c))); },
       [&](std::size_t i) {
         const Vector sample = to_vector(samples.at_vertices[i]);
         return convert<Normal>(node_of_vertex[i] == no_index ? unit_normal_or(sample, sample)

@@ -113,8 +113,8 @@ void transfer_face_attributes(const TriangleMesh& tmesh,
 
     const std::vector<Index> chosen =
       choose_labels<ConcurrencyTag>(mesh, patches, [&](Index a, Index b) { return labels[a].value == labels[b].value; });
-    for(std::size_t f = 0; f < chosen.size(); ++f)
-      put(face_map, face(descriptors.halfedges[f], tmesh), labels[chosen[f]].value);
+    for(std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+      put(face_map, face(descriptors.halfedges[f], tmesh), labels[chosen[mesh.polygon(f)]].value);
     return true;
   });
 }

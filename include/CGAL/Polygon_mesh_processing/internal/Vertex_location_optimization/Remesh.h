@@ -86,9 +86,14 @@ private:
   double compute_mean_edge_length() const
   {
     double sum = 0;
-    for(const std::array<Index, 2>& e : edges)
-      sum += norm(points[e[1]] - points[e[0]]);
-    return edges.empty() ? 0 : sum / edges.size();
+    std::size_t count = 0;
+    for(std::size_t e = 0; e < edges.size(); ++e)
+      if(!is_diagonal(e))
+      {
+        sum += norm(points[edges[e][1]] - points[edges[e][0]]);
+        ++count;
+      }
+    return count == 0 ? 0 : sum / count;
   }
 };
 

@@ -117,9 +117,9 @@ private:
   void add_normals_beyond(Index c, Normals& normals) const
   {
     for(Index opposite : { Mesh_arrays::next(c), Mesh_arrays::previous(c) })
-      if(const Index across = m_mesh.corner_across(opposite);
-         m_is_crease[m_mesh.opposite_edge(opposite)] && across != no_index)
-        normals.push_back(m_face_normals[across / 3]);
+      if(m_is_crease[m_mesh.opposite_edge(opposite)])
+        if(const Index across = m_mesh.corner_across(opposite); across != no_index)
+          normals.push_back(m_face_normals[across / 3]);
   }
 
   const Mesh_arrays& m_mesh;

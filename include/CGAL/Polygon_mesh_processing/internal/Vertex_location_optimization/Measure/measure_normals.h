@@ -58,7 +58,7 @@ double measure_corner_normals(const Mesh_arrays& mesh,
                       face.area += 1;
                     });
 
-    const double area_of_sample = norm(mesh.area_normal(f)) / (2. * count);
+    const double area_of_sample = mesh.area(f) / static_cast<double>(count);
     return Angle_integral{ area_of_sample * face.area, area_of_sample * face.angle };
   });
   if(sum.area == 0)

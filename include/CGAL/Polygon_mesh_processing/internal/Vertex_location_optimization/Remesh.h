@@ -80,6 +80,7 @@ struct Remesh : Mesh_arrays
   std::vector<Point> next_points;          // p^_i, which become the points of M_t+1
 
   const double mean_edge_length; // of M_0
+  Mesh_arrays surroundings;      // the rest of the user's mesh, if that matters
   const Index_groups corners_of_vertices;
 
 private:

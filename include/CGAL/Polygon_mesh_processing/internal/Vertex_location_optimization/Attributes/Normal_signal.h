@@ -51,7 +51,7 @@ public:
 
   Normal_signal(const Mesh_arrays& mesh, const Reference& reference, const std::vector<char>& is_crease)
     : m_mesh(mesh), m_reference(reference), m_is_crease(is_crease), m_sectors(mesh, is_crease),
-      m_face_normals(compute_face_normals<Sequential_tag>(mesh)), m_is_on_crease(mesh.points.size(), 0)
+      m_face_normals(compute_polygon_normals<Sequential_tag>(mesh)), m_is_on_crease(mesh.points.size(), 0)
   {
     for(std::size_t e = 0; e < mesh.edges.size(); ++e)
       if(is_crease[e])

@@ -70,7 +70,7 @@ double measure_corner_normals(const Mesh_arrays& mesh,
 template <typename ConcurrencyTag>
 std::vector<Vector> face_normals_at_corners(const Mesh_arrays& mesh)
 {
-  const std::vector<Vector> face_normals = compute_face_normals<ConcurrencyTag>(mesh);
+  const std::vector<Vector> face_normals = compute_polygon_normals<ConcurrencyTag>(mesh);
   std::vector<Vector> normals(3 * mesh.number_of_faces());
   for_each_index<ConcurrencyTag>(normals.size(), [&](std::size_t c) { normals[c] = face_normals[c / 3]; });
   return normals;

@@ -25,6 +25,21 @@ std::vector<Vector> compute_face_normals(const Mesh_arrays& mesh)
   return normals;
 }
 
+// The same, but the faces of a polygon have that of the polygon.
+template <typename ConcurrencyTag>
+std::vector<Vector> compute_polygon_normals(const Mesh_arrays& mesh)
+{
+  if(!mesh.has_polygons())
+    return compute_face_normals<ConcurrencyTag>(mesh);
+  std::vector<Vector> sums(mesh.number_of_polygons(), NULL_VECTOR);
+  for(std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+    sums[mesh.polygon(f)] = sums[mesh.polygon(f)] + mesh.weight(f) * mesh.area_normal(f);
+  std::vector<Vector> normals;
+  for(std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+    normals.push_back(normalized(sums[mesh.polygon(f)]));
+  return normals;
+}
+
 // Marks the edges where the surface turns by more than the angle with the given cosine. A face without an area has no
 // normal and so no sharp edge.
 template <typename ConcurrencyTag>

@@ -59,7 +59,9 @@ public:
   void start(const Reference& reference, const Remesh& remesh)
   {
     constexpr std::size_t samples_per_face = 6; // of the remesh; they take most of the time and memory of the fit
-    const std::size_t number_of_faces = remesh.number_of_faces(), n = samples_per_face * number_of_faces;
+    const Index number_of_faces = static_cast<Index>(remesh.number_of_faces());
+    const double number_of_triangles = remesh.total_weight() + remesh.surroundings.total_weight();
+    const std::size_t n = samples_per_face * static_cast<std::size_t>(std::round(number_of_triangles));
     m_area = reference.area() / n;
     if(m_area > 0)
     {
@@ -72,8 +74,10 @@ public:
     }
 
     const std::vector<Index> faces = find_closest_faces<ConcurrencyTag>(remesh);
-    m_samples_of_faces = Index_groups(number_of_faces, faces.size(), [&](Index i) { return faces[i]; });
-    const std::vector<Index> order = m_samples_of_faces.members();
+    // what is closest to the surroundings comes last, and is left out
+    const auto group_of = [&](Index i) { return (std::min)(faces[i], number_of_faces); };
+    std::vector<Index> order = Index_groups(number_of_faces + 1, faces.size(), group_of).members();
+    order.resize(std::count_if(faces.begin(), faces.end(), [&](Index f) { return f < number_of_faces; }));
     permute(m_points, order);
     permute(m_normals, order);
     m_feet.resize(order.size());
@@ -113,17 +117,19 @@ public:
   }
 
 private:
-  // Finds the faces of the remesh that are closest. Neighbors among the samples follow each other: the face of one is a
-  // hint for the next.
+  // Finds the faces of the remesh that are closest, or of its surroundings, which follow them. Neighbors among the samples
+  // follow each other: the face of one is a hint for the next.
   template <typename ConcurrencyTag>
   std::vector<Index> find_closest_faces(const Remesh& remesh) const
   {
     std::vector<Index> closest(m_points.size());
     if(closest.empty())
       return closest;
-    std::vector<Flat_triangle> triangles(remesh.number_of_faces());
-    for(std::size_t f = 0; f < triangles.size(); ++f)
-      triangles[f] = Flat_triangle(remesh.triangle(f));
+    std::vector<Flat_triangle> triangles;
+    triangles.reserve(remesh.number_of_faces() + remesh.surroundings.number_of_faces());
+    for(const Mesh_arrays* mesh : { static_cast<const Mesh_arrays*>(&remesh), &remesh.surroundings })
+      for(std::size_t f = 0; f < mesh->number_of_faces(); ++f)
+        triangles.emplace_back(mesh->triangle(f));
     const Patch_tree<Flat_triangle> tree(std::move(triangles));
     constexpr std::size_t block_size = 64;
     for_each_block<ConcurrencyTag>(closest.size(), block_size, [&](std::size_t begin, std::size_t end) {

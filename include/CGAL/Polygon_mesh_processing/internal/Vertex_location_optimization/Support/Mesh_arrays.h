@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
@@ -47,6 +48,11 @@ struct Mesh_arrays
   }
 
   double weight(std::size_t f) const { return weights.empty() ? 1 : weights[f]; }
+  double total_weight() const
+  {
+    return weights.empty() ? static_cast<double>(number_of_faces()) : std::accumulate(weights.begin(), weights.end(), 0.);
+  }
+
   Index ear(Index corner) const { return ears.empty() ? corner : ears[corner]; }
   bool is_diagonal(std::size_t e) const { return !diagonals.empty() && diagonals[e]; }
 
@@ -104,7 +110,11 @@ struct Mesh_arrays
   static Index previous(Index corner) { return corner % 3 == 0 ? corner + 2 : corner - 1; }
   Index opposite_edge(Index corner) const { return face_edges[corner / 3][corner % 3]; }
   Index edge_at_first_vertex(std::size_t f) const { return face_edges[f][1]; }
-  bool is_border(std::size_t e) const { return edge_corners[e][0] == no_index || edge_corners[e][1] == no_index; }
+
+  bool is_border(std::size_t e) const
+  {
+    return !is_diagonal(e) && (edge_corners[e][0] == no_index || edge_corners[e][1] == no_index);
+  }
 
   // A corner opposite to the same edge on its other side; no_index at a border. Not for diagonals.
   Index corner_across(Index corner) const

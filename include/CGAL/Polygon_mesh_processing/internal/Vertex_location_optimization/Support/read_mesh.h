@@ -7,6 +7,7 @@
 #define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_READ_MESH_H
 
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/Face_reader.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/Face_selection.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/Mesh_arrays.h>
 
 #include <CGAL/assertions.h>
@@ -22,26 +23,6 @@
 #include <vector>
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
-
-// All faces of a mesh.
-struct All_faces
-{
-  template <typename Vertex>
-  static constexpr bool has_vertex(const Vertex&)
-  {
-    return true;
-  }
-  template <typename Edge>
-  static constexpr bool has_edge(const Edge&)
-  {
-    return true;
-  }
-  template <typename Face>
-  static constexpr bool has_face(const Face&)
-  {
-    return true;
-  }
-};
 
 template <typename PolygonMesh, typename VertexPointMap>
 bool has_finite_points(const PolygonMesh& pmesh, const VertexPointMap& vpm)

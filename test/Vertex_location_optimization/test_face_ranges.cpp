@@ -13,6 +13,7 @@
 #include <CGAL/Polygon_mesh_processing/Flat_triangle_surface.h>
 #include <CGAL/Polygon_mesh_processing/optimize_vertex_locations.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 
 #include <algorithm>
 #include <cmath>
@@ -159,26 +160,30 @@ void test_borders()
 // A sheet that is drawn through another one, which is not in the range.
 void test_self_intersections()
 {
-  start_topic("The rest of the mesh is not run through");
-  const auto sheet = [](double height, double bulge) {
-    return transformed(triangle_grid(12, 12), [=](const Point& p) {
+  const auto sheet = [](const auto& grid, double height, double bulge) {
+    return make_mesh(transformed(grid, [=](const Point& p) {
       const double x = p.x() / 6 - 1, y = p.y() / 6 - 1;
       return Point(x, y, height + bulge * (1 - x * x) * (1 - y * y));
-    });
+    }));
   };
-  Mesh mesh = make_mesh(sheet(0, 0));
-  const Faces range(mesh.faces().begin(), mesh.faces().end());
-  mesh += make_mesh(sheet(0.05, 0));
-  const Mesh reference = make_mesh(sheet(0, 0.2));
-  for(const PMP::Placement_method method : methods)
-    for(const bool is_tested : { false, true })
-    {
-      Mesh result = mesh;
-      PMP::optimize_vertex_locations(range, result, reference,
-                                     params::placement_method(method).do_self_intersection_tests(is_tested));
-      CHECK_EQUAL(PMP::does_self_intersect(result), !is_tested);
-      CHECK(points_of(result) != points_of(mesh));
-    }
+  const Mesh reference = sheet(triangle_grid(12, 12), 0, 0.2);
+  for(const bool has_quads : { false, true })
+  {
+    start_topic(std::string("The rest of a mesh of ") + (has_quads ? "quads" : "triangles") + " is not run through");
+    Mesh mesh = has_quads ? sheet(square_grid(12, 12), 0, 0) : sheet(triangle_grid(12, 12), 0, 0);
+    const Faces range(mesh.faces().begin(), mesh.faces().end());
+    mesh += has_quads ? sheet(square_grid(12, 12), 0.05, 0) : sheet(triangle_grid(12, 12), 0.05, 0);
+    for(const PMP::Placement_method method : methods)
+      for(const bool is_tested : { false, true })
+      {
+        Mesh result = mesh;
+        PMP::optimize_vertex_locations(range, result, reference,
+                                       params::placement_method(method).do_self_intersection_tests(is_tested));
+        CHECK(points_of(result) != points_of(mesh));
+        PMP::triangulate_faces(result);
+        CHECK_EQUAL(PMP::does_self_intersect(result), !is_tested);
+      }
+  }
 }
 
 int main()

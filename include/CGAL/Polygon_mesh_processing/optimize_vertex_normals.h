@@ -40,6 +40,8 @@ namespace Polygon_mesh_processing {
  * corners receives them all and renders a crease sharp; a map of the vertices receives that of the sector with the
  * largest area.
  *
+ * A face with more than three corners stands for the mean of its fans, as in `optimize_vertex_locations()`.
+ *
  * The normals are always unit vectors. Where the faces have no area, or where the fit vanishes or turns away from the
  * reference, the normal is that of the reference near the vertex, and \f$ (0,0,1) \f$ if that has none either.
  *

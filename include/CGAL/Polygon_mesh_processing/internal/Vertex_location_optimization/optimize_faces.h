@@ -21,6 +21,22 @@
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
+// Reads the faces that are not selected, if the placement takes samples of the reference: some are theirs.
+template <typename PolygonMesh, typename VertexPointMap, typename Selection>
+void read_surroundings(const PolygonMesh& pmesh,
+                       const VertexPointMap& vpm,
+                       const Selection& selection,
+                       const Optimization_options& options,
+                       Remesh& remesh)
+{
+  if constexpr(!Selection::is_whole_mesh)
+    if(options.placement_method == LEAST_SQUARES)
+    {
+      Mesh_descriptors<PolygonMesh> descriptors;
+      read_faces(pmesh, vpm, Other_faces<Selection>(selection), remesh.surroundings, descriptors);
+    }
+}
+
 // What `optimize_vertex_locations()` does, with the selected faces.
 template <typename ConcurrencyTag,
           typename PolygonMesh,
@@ -56,12 +72,7 @@ Vertex_location_optimization_report optimize_faces(PolygonMesh& pmesh,
     options.number_of_relaxation_steps = 0;
   Constraints constraints = read_constraints(pmesh, selection, mesh, descriptors, vpm, np1);
   Remesh remesh(std::move(mesh), std::move(constraints));
-  if constexpr(!Selection::is_whole_mesh)
-    if(options.placement_method == LEAST_SQUARES) // it takes samples of the reference
-    {
-      Mesh_descriptors<PolygonMesh> others;
-      read_faces(pmesh, vpm, Other_faces<Selection>(selection), remesh.surroundings, others);
-    }
+  read_surroundings(pmesh, vpm, selection, options, remesh);
 
   auto is_allowed = choose_parameter(get_parameter(np1, internal_np::allow_move_functor), Allow_all_moves());
   const auto allow_move = [&](std::size_t i, const Point& source, const Point& target) {

@@ -170,13 +170,13 @@ private:
   void read_polygon(const Index number)
   {
     const std::size_t n = m_corners.size();
-    std::vector<Index> sides; // the edges, as those of `Fan_triangle`
+    m_sides.clear();
     for(std::size_t i = 0; i < n; ++i)
-      sides.push_back(get(m_edge_index, edge(m_corners[(i + 1) % n], m_pmesh)));
+      m_sides.push_back(get(m_edge_index, edge(m_corners[(i + 1) % n], m_pmesh)));
     for(const std::array<Index, 2>& ends : fans().diagonals)
     {
-      sides.push_back(add_edge(m_vertices[ends[0]], m_vertices[ends[1]], edge_descriptor()));
-      m_mesh.diagonals[sides.back()] = 1;
+      m_sides.push_back(add_edge(m_vertices[ends[0]], m_vertices[ends[1]], edge_descriptor()));
+      m_mesh.diagonals[m_sides.back()] = 1;
     }
 
     m_corners_of_triangles.clear();
@@ -190,7 +190,7 @@ private:
       {
         const int c = (first + k) % 3;
         m_mesh.faces[f][k] = m_vertices[t.corners[c]];
-        m_mesh.face_edges[f][k] = sides[t.sides[c]];
+        m_mesh.face_edges[f][k] = m_sides[t.sides[c]];
         corners[c] = 3 * f + k;
       }
       m_corners_of_triangles.push_back(corners);
@@ -239,6 +239,7 @@ private:
   // of the current polygon
   std::vector<halfedge_descriptor> m_corners; // to them
   std::vector<Index> m_vertices;
+  std::vector<Index> m_sides; // the edges, as those of `Fan_triangle`
   std::vector<std::array<Index, 3>> m_corners_of_triangles; // of the faces
 };
 

@@ -69,10 +69,18 @@ private:
 class Fans_by_degree
 {
 public:
-  const Fans& operator()(Index n) { return m_fans.try_emplace(n, n).first->second; }
+  const Fans& operator()(Index n)
+  {
+    if(n != m_last_degree)
+      m_last = &m_fans.try_emplace(n, n).first->second;
+    m_last_degree = n;
+    return *m_last;
+  }
 
 private:
   std::map<Index, Fans> m_fans;
+  Index m_last_degree = 0; // most polygons of a mesh have as many corners as the one before
+  const Fans* m_last = nullptr;
 };
 
 } // namespace CGAL::Polygon_mesh_processing::internal::vertex_location

@@ -23,9 +23,9 @@ namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 // the corner k + 1 to the corner k + 2 of f, or back.
 //
 // A polygon, a face of the user's mesh with more than three corners, stands for the mean of its fans: the faces are their
-// triangles, each with a weight, and the edges include diagonals. Two triangles of each polygon, the ears at its ends, end at
-// an edge that is none; `edge_corners` has one of these corners for each side. What goes around a vertex goes from ear to
-// ear.
+// triangles, each with a weight, and the edges include diagonals. An ear is the triangle that cuts off one corner of its
+// polygon: both its sides there are edges of the polygon. What goes around a vertex goes from ear to ear, and `edge_corners`
+// has one corner for each side of an edge, of any of the triangles there.
 struct Mesh_arrays
 {
   std::vector<Point> points;
@@ -42,12 +42,14 @@ struct Mesh_arrays
 
   bool has_polygons() const { return !polygons.empty(); }
   Index polygon(std::size_t f) const { return has_polygons() ? polygons[f] : static_cast<Index>(f); }
+
   std::size_t number_of_polygons() const
   {
     return has_polygons() ? 1 + *std::max_element(polygons.begin(), polygons.end()) : number_of_faces();
   }
 
   double weight(std::size_t f) const { return weights.empty() ? 1 : weights[f]; }
+
   double total_weight() const
   {
     return weights.empty() ? static_cast<double>(number_of_faces()) : std::accumulate(weights.begin(), weights.end(), 0.);

@@ -215,12 +215,25 @@ Approximation_error approximation_error(const PolygonMesh& pmesh,
  *
  * \brief measures the distance of a part of a polygon mesh to a reference surface, as the function for the whole of it does.
  *
+ * \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
+ *                        `Parallel_tag`, and `Parallel_if_available_tag`.
  * \tparam FaceRange a model of `ConstRange` with `boost::graph_traits<PolygonMesh>::%face_descriptor` as value type
+ * \tparam PolygonMesh a model of `VertexListGraph`, `EdgeListGraph`, and `FaceListGraph`
+ * \tparam Reference a model of `VertexListGraph`, `EdgeListGraph`, and `FaceListGraph`, of any type, or a model of
+ *                   `ReferenceSurface`
+ * \tparam NamedParameters1 a sequence of \ref bgl_namedparameters "Named Parameters"
+ * \tparam NamedParameters2 a sequence of \ref bgl_namedparameters "Named Parameters"
  *
- * \param faces the faces of `pmesh` that are measured; a face that is there twice counts once. The maps of errors receive those
- *              of these faces and their vertices, the latter over the faces of the range alone.
+ * \param faces the faces of `pmesh` that are measured; a face that is there twice counts once. The maps of errors receive
+ *              those of these faces and their vertices, the latter over the faces of the range alone.
+ * \param pmesh the polygon mesh
+ * \param reference the surface that the distance is measured to
+ * \param np1 an optional sequence of \ref bgl_namedparameters "Named Parameters", as for the whole mesh
+ * \param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters", as for the whole mesh
  *
- * All else is as for the whole mesh.
+ * \pre those of the function for the whole mesh
+ *
+ * \return the error
  */
 template <typename ConcurrencyTag = Sequential_tag,
           typename FaceRange,

@@ -43,7 +43,7 @@ namespace Polygon_mesh_processing {
  * The faces may have any number of corners. One with more than three stands for the mean of its fans, one from each of its
  * corners, all with the same weight: a quad is both its pairs of triangles, half each. So nothing depends on which corner comes
  * first, and a corner off the plane of the others counts for what it is. Distances, errors and the guarantee above are those of
- * these triangles; springs act along the edges of the faces. \ref vlo_polygons says more.
+ * these triangles; springs act along the edges of the faces. The section \ref secVLOPolygons says more.
  *
  * The computations are done in double precision, whatever the kernel of the points; with an exact one the points of the
  * vertices that move are converted. The result does not depend on the number of threads.
@@ -222,11 +222,24 @@ Vertex_location_optimization_report optimize_vertex_locations(PolygonMesh& pmesh
  * An iteration takes time for the range alone; to read the faces takes \cgalBigO{n} time for the \f$ n \f$ faces of `pmesh`,
  * and to find what is closer to the rest, once, \cgalBigO{n \log n}.
  *
+ * \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
+ *                        `Parallel_tag`, and `Parallel_if_available_tag`.
  * \tparam FaceRange a model of `ConstRange` with `boost::graph_traits<PolygonMesh>::%face_descriptor` as value type
+ * \tparam PolygonMesh a model of `VertexListGraph`, `EdgeListGraph`, and `FaceListGraph`
+ * \tparam Reference a model of `VertexListGraph`, `EdgeListGraph`, and `FaceListGraph`, of any type, or a model of
+ *                   `ReferenceSurface`
+ * \tparam NamedParameters1 a sequence of \ref bgl_namedparameters "Named Parameters"
+ * \tparam NamedParameters2 a sequence of \ref bgl_namedparameters "Named Parameters"
  *
  * \param faces the faces of `pmesh` to be optimized; a face may be there twice, and the range may be empty
+ * \param pmesh the remesh, some of whose vertices are moved
+ * \param reference the surface that `pmesh` approximates, all of it
+ * \param np1 an optional sequence of \ref bgl_namedparameters "Named Parameters", as for the whole mesh
+ * \param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters", as for the whole mesh
  *
- * All else is as for the whole mesh.
+ * \pre those of the function for the whole mesh
+ *
+ * \return what was done
  */
 template <typename ConcurrencyTag = Sequential_tag,
           typename FaceRange,

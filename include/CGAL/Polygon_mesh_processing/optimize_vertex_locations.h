@@ -135,7 +135,9 @@ namespace Polygon_mesh_processing {
  *   \cgalParamNBegin{relax_constraints}
  *     \cgalParamDescription{If `true`, a vertex with exactly two constrained edges that form an angle of more than 120
  *                           degrees moves to where these edges approximate the crease or border of the reference best
- *                           that they run along. Other vertices of constrained edges are corners and do not move.}
+ *                           that they run along. Other vertices of constrained edges are corners and do not move. Where
+ *                           a corner of the reference, at which creases or borders meet, has been cut off, the nearest
+ *                           vertex with as many constrained edges moves to it.}
  *     \cgalParamType{Boolean}
  *     \cgalParamDefault{`false`}
  *     \cgalParamExtra{The creases of the reference are those of `PN_triangle_surface` and `Flat_triangle_surface`. With

@@ -48,14 +48,16 @@ struct Triangulated_copy
       faces[copy] = f;
 
     begin_at_smallest_vertices();
-    triangulate_faces(mesh, parameters::visitor(Visitor{ &faces }));
+    triangulate_faces(mesh, parameters::visitor(Visitor(faces)));
     cut_off_triangles();
   }
 
 private:
   // keeps track of the faces
-  struct Visitor
+  struct Visitor : Triangulate_faces::Default_visitor<Mesh>
   {
+    explicit Visitor(std::vector<typename Graph_traits::face_descriptor>& f) : faces(&f) {}
+
     void before_subface_creations(Mesh::Face_index f) { current = (*faces)[f]; }
     void after_subface_creations() {}
     void after_subface_created(Mesh::Face_index f)
@@ -82,7 +84,7 @@ private:
   // Makes triangles of what has no plane to be triangulated in, one after the other.
   void cut_off_triangles()
   {
-    Visitor visitor{ &faces };
+    Visitor visitor(faces);
     const std::vector<Mesh::Face_index> all(mesh.faces().begin(), mesh.faces().end());
     for(const Mesh::Face_index f : all)
     {

@@ -89,15 +89,21 @@ struct Remesh : Mesh_arrays
   std::vector<Point> next_points;          // p^_i, which become the points of M_t+1
 
   const double mean_edge_length; // of M_0
+  Mesh_arrays surroundings;      // the rest of the user's mesh, if that matters
   const Index_groups corners_of_vertices;
 
 private:
   double compute_mean_edge_length() const
   {
     double sum = 0;
-    for(const std::array<Index, 2>& e : edges)
-      sum += norm(points[e[1]] - points[e[0]]);
-    return edges.empty() ? 0 : sum / edges.size();
+    std::size_t count = 0;
+    for(std::size_t e = 0; e < edges.size(); ++e)
+      if(!is_diagonal(e))
+      {
+        sum += norm(points[edges[e][1]] - points[edges[e][0]]);
+        ++count;
+      }
+    return count == 0 ? 0 : sum / count;
   }
 };
 

@@ -61,8 +61,9 @@ void relax_springs(Remesh& remesh, const Spring& spring, const std::size_t numbe
 
       Vector force = NULL_VECTOR;
       remesh.for_each_corner(i, [&](Index c) {
-        // around an inner vertex each neighbor follows it in one face
-        force = force + spring.force(p - remesh.next_points[remesh.vertex(Mesh_arrays::next(c))]);
+        // around an inner vertex each neighbor follows it in one polygon
+        if(remesh.ear(c) == c)
+          force = force + spring.force(p - remesh.next_points[remesh.vertex(Mesh_arrays::next(c))]);
       });
       const Vector& n = normal(i);
       relaxed[i] = p + (force - (force * n) * n);

@@ -2,7 +2,8 @@
 #
 #   awk -f mesh_to_scene.awk [-v NAME=VALUE]... MESH
 #
-# MESH is a triangle mesh, a text file: .vtp as the examples write it, or .ply, if need be with normals or colors. The variables are
+# MESH is a polygon mesh, a text file: .vtp as the examples write it, or a triangle mesh as .ply, if need be with normals or
+# colors. The variables are
 #   azimuth, elevation   of the camera, in degrees; at 0 it looks along the negative z axis, and y is up
 #   colors               red, green and blue, between 0 and 255, of the scalars from 0 to `largest`
 #   largest              if it is given, the scalars are shown in colors
@@ -12,7 +13,7 @@
 BEGIN {
   pi = atan2(0, -1)
   n_colors = split(colors, color, /[ ,]/) / 3
-  n_points = n_faces = n_scalars = 0
+  n_points = n_faces = n_edges = n_scalars = 0
   if(!height) height = 1000
 }
 
@@ -28,14 +29,14 @@ BEGIN {
 /^end_header/ { part = "ply"; next }
 part == "scalars" { scalar[n_scalars++] = $1; next }
 part == "points" { add_point($1, $2, $3); next }
-part == "faces" { add_face($1, $2, $3); next }
+part == "faces" { add_polygon(); next }
 part == "ply" && n_points < n_ply {
   if(red) scalar[n_points] = $red / 255 " " $(red + 1) / 255 " " $(red + 2) / 255
   else if(NF >= 6) rotate($4, $5, $6, n_points, normal)
   add_point($1, $2, $3)
   next
 }
-part == "ply" { add_face($2, $3, $4) }
+part == "ply" { $1 = ""; $0 = $0; add_polygon() }
 
 # to what the camera sees: y up, z towards it, and x to the left, as Tachyon has it
 function rotate(x, y, z, i, result,    a, e, depth)
@@ -50,12 +51,33 @@ function rotate(x, y, z, i, result,    a, e, depth)
 
 function add_point(x, y, z,    k)
 {
+  raw[n_points, 0] = x; raw[n_points, 1] = y; raw[n_points, 2] = z
   rotate(x, y, z, n_points, point)
   for(k = 0; k < 3; ++k) {
     if(!n_points || point[n_points, k] < low[k]) low[k] = point[n_points, k]
     if(!n_points || point[n_points, k] > high[k]) high[k] = point[n_points, k]
   }
   ++n_points
+}
+
+# the one in this line; if it has more than three corners it is a fan around its center
+function add_polygon(    i, j, k, x, y, z, s)
+{
+  for(i = 1; i <= NF; ++i) {
+    j = i % NF + 1
+    edge[n_edges, 0] = $i
+    edge[n_edges++, 1] = $j
+    if(NF == 3) continue
+    x += raw[$i, 0] / NF; y += raw[$i, 1] / NF; z += raw[$i, 2] / NF; s += scalar[$i] / NF
+  }
+  if(NF == 3) {
+    add_face($1, $2, $3)
+    return
+  }
+  scalar[n_points] = s
+  add_point(x, y, z)
+  for(i = 1; i <= NF; ++i)
+    add_face($i, $(i % NF + 1), n_points - 1)
 }
 
 function add_face(a, b, c)
@@ -129,13 +151,13 @@ END {
       n = "N0 " n " N1 " n " N2 " n
     }
     put_triangle(ax, ay, az, bx, by, bz, cx, cy, cz, n, scalar[a], scalar[b], scalar[c], 0)
-    for(k = 0; edges && k < 3; ++k) {
-      i = corner[f, k]; j = corner[f, (k + 1) % 3]
-      if(!((j, i) in is_drawn)) {
-        is_drawn[i, j]
-        print "FCYLINDER BASE", x_of(i), y_of(i), z_of(i), "APEX", x_of(j), y_of(j), z_of(j), "RAD 0.0015",
-              "TEXTURE AMBIENT 0.1 DIFFUSE 0 SPECULAR 0 OPACITY 1 COLOR 0 0 0 TEXFUNC 0"
-      }
+  }
+  for(f = 0; edges && f < n_edges; ++f) {
+    i = edge[f, 0]; j = edge[f, 1]
+    if(!((j, i) in is_drawn)) {
+      is_drawn[i, j]
+      print "FCYLINDER BASE", x_of(i), y_of(i), z_of(i), "APEX", x_of(j), y_of(j), z_of(j), "RAD 0.0015",
+            "TEXTURE AMBIENT 0.1 DIFFUSE 0 SPECULAR 0 OPACITY 1 COLOR 0 0 0 TEXFUNC 0"
     }
   }
   print "END_SCENE"

@@ -5,7 +5,8 @@
 #   render MESH PICTURE [NAME=VALUE...]                   a mesh, with variables of mesh_to_scene.awk
 #   put_side_by_side PICTURE (PART TITLE)...              pictures in a row
 #   put_scale_below PICTURE LARGEST UNIT [FORMAT]         the scale of the colors; PNG8, a small file, or PNG24
-#   compare_errors PREFIX PICTURE [NAME=VALUE...]         what optimize_remesh wrote, before and after
+#   compare_errors PREFIX PICTURE [NAME=VALUE...]         what optimize_remesh wrote, before and after; $remesher made the
+#                                                         remesh, unless it was isotropic_remeshing()
 #   compare_images PREFIX PICTURE [NAME=VALUE...]         what optimize_geometry_image_example wrote, before and after
 
 picture_packages=(tachyon-bin-nox imagemagick fonts-dejavu-core)
@@ -80,10 +81,10 @@ scale_unit="distance to the input, in 1/10000 of the longest side of its boundin
 
 compare_errors()
 {
-  local prefix=$1 picture=$2
+  local prefix=$1 picture=$2 remesher=${remesher:-isotropic_remeshing()}
   shift 2
   render_errors "$prefix" remesh "$@" && render_errors "$prefix" optimized "$@" &&
-    put_side_by_side "$picture" "${prefix}remesh.png" "isotropic_remeshing()" \
+    put_side_by_side "$picture" "${prefix}remesh.png" "$remesher" \
       "${prefix}optimized.png" "and optimize_vertex_locations()" &&
     put_scale_below "$picture" "$(scale_of "$prefix" 2)" "$scale_unit"
 }

@@ -63,14 +63,26 @@ draw_colors()
   image_magick "$figures/colors_$model.png" +dither -colors 160 "PNG8:$figures/colors_$model.png"
 }
 
+# draw_quads MODEL [NAME=VALUE...]: coarse quads of a subdivision surface, before and after
+draw_quads()
+{
+  local model=$1
+  shift
+  "$examples/optimize_quads_example" "$CGAL_DATA_DIR/meshes/$model.off" "$work/quads_"
+  "$examples/optimize_remesh" "$work/quads_surface.off" --remesh "$work/quads_quads.off" --output "$work/quads_" |
+    tee "$work/quads_log.txt"
+  remesher="coarse quads" compare_errors "$work/quads_" "$figures/errors_quads.png" edges=1 "$@"
+}
+
 draw_pictures()
 {
   cmake --build "$build_dir" -j "$jobs" --target optimize_remesh optimize_vertex_normals_example optimize_attributes_example \
-    optimize_geometry_image_example
+    optimize_geometry_image_example optimize_quads_example
   draw_errors armadillo "--edge-length 0.012" azimuth=180
   draw_errors refined_elephant "--edge-length 0.025"
   draw_errors bunny00 "--edge-length 0.05" edges=1
   draw_errors fandisk "--edge-length 0.04 --crease-angle 40 --relax-constraints --reference flat" edges=1 azimuth=30 elevation=20
+  draw_quads double-torus-example elevation=20
   draw_normals armadillo 2.7 azimuth=180
   draw_colors bunny00 0.03
   "$examples/optimize_geometry_image_example" "$CGAL_DATA_DIR/meshes/lion-head.off" 4 "$work/image_" | tee "$work/image_log.txt"

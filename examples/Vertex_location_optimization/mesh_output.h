@@ -105,8 +105,9 @@ void write_VTP(const std::string& name,
       out << "\n";
     }
     out << "</DataArray>\n<DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">\n";
-    for(std::size_t f = 1; f <= mesh.number_of_faces(); ++f)
-      out << 3 * f << "\n";
+    std::size_t offset = 0;
+    for(auto f : mesh.faces())
+      out << (offset += mesh.degree(f)) << "\n";
     out << "</DataArray>\n</Polys>\n</Piece>\n</PolyData>\n</VTKFile>\n";
     return bool(out.flush());
   });

@@ -24,7 +24,6 @@
 #include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -42,7 +41,7 @@ using Error_map = Mesh::Property_map<Mesh::Vertex_index, double>;
 
 namespace PMP = CGAL::Polygon_mesh_processing;
 
-Mesh read_mesh(const std::string& name)
+Mesh read_mesh(const std::string& name, const bool may_have_polygons)
 {
   auto require = [&](bool condition, const std::string& message) {
     if(!condition)
@@ -54,7 +53,7 @@ Mesh read_mesh(const std::string& name)
   require(read_mesh_with_attributes(name, mesh) || PMP::IO::read_polygon_mesh(name, mesh),
           "it is unreadable or no manifold mesh");
   require(mesh.number_of_faces() > 0, "it has no face");
-  require(CGAL::is_triangle_mesh(mesh), "its faces are not all triangles");
+  require(may_have_polygons || CGAL::is_triangle_mesh(mesh), "its faces are not all triangles");
   for(const Point& p : mesh.points())
     require(std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z()), "a coordinate is not finite");
   return mesh;
@@ -66,7 +65,7 @@ double longest_side(const Mesh& mesh)
   return (std::max)({ box.x_span(), box.y_span(), box.z_span() });
 }
 
-// how regular the triangles are: smallest angles in degrees
+// how regular the faces are: smallest angles in degrees
 struct Regularity
 {
   double mean = 0;
@@ -78,12 +77,10 @@ Regularity measure_regularity(const Mesh& mesh)
   Regularity regularity;
   for(Mesh::Face_index f : mesh.faces())
   {
-    const Mesh::Halfedge_index h = mesh.halfedge(f);
-    const std::array<Point, 3> p{ mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
-                                  mesh.point(mesh.target(mesh.next(h))) };
-    const double smallest =
-      (std::min)({ CGAL::approximate_angle(p[0], p[1], p[2]), CGAL::approximate_angle(p[1], p[2], p[0]),
-                   CGAL::approximate_angle(p[2], p[0], p[1]) });
+    double smallest = 180;
+    for(Mesh::Halfedge_index h : halfedges_around_face(mesh.halfedge(f), mesh))
+      smallest = (std::min)(smallest, CGAL::approximate_angle(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
+                                                              mesh.point(mesh.target(mesh.next(h)))));
     regularity.mean += smallest / mesh.number_of_faces();
     regularity.min = (std::min)(regularity.min, smallest);
   }
@@ -213,7 +210,7 @@ void optimize(const Settings& s, const Mesh& input, Mesh& mesh, Crease_map is_cr
 template <typename Concurrency>
 void run(const Settings& s)
 {
-  const Mesh input = read_mesh(s.input);
+  const Mesh input = read_mesh(s.input, false);
   const double side = longest_side(input);
   if(!(side > 0))
     throw std::runtime_error(s.input + ": all its points are the same");
@@ -221,7 +218,7 @@ void run(const Settings& s)
 
   CGAL::Real_timer timer;
   timer.start();
-  Mesh mesh = s.remesh.empty() ? input : read_mesh(s.remesh);
+  Mesh mesh = s.remesh.empty() ? input : read_mesh(s.remesh, true);
   Crease_map is_crease = mark_creases(mesh, s.crease_angle);
   if(s.remesh.empty())
   {

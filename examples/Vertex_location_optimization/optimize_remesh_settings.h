@@ -61,7 +61,8 @@ inline boost::program_options::options_description describe_options(Settings& s)
     ("edge-length,l", po::value(&s.edge_length)->default_value(s.edge_length, "0.02"),
      "target edge length of the remesh, relative to the longest side of the bounding box")
     ("absolute,a", po::bool_switch(&s.is_absolute), "the edge length is in the unit of the input")
-    ("remesh,r", po::value(&s.remesh), "take this remesh instead of remeshing the input")
+    ("remesh,r", po::value(&s.remesh),
+     "take this remesh, with faces of any number of corners, instead of remeshing the input")
     ("remeshing-iterations", po::value(&s.remeshing_iterations)->default_value(s.remeshing_iterations),
      "iterations of isotropic_remeshing()")
     ("crease-angle,c", po::value(&s.crease_angle)->default_value(s.crease_angle, "180"),

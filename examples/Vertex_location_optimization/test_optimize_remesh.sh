@@ -65,6 +65,8 @@ fi
 for file in remesh.off remesh_error.ply remesh_error.vtp optimized.off optimized_error.ply optimized_error.vtp; do
   [ -s "good_$file" ] || fail "good_$file is missing"
 done
+"$program" triangle.off --remesh quadrangle.off -o quads_ > stdout 2> stderr || fail "a remesh of quads"
+grep -q '^4 ' quads_optimized.off || fail "no quads"
 "$program" triangle.off --edge-length 0.3 --least-squares --regularity-weight 0.2 -o least_squares_ > stdout 2> stderr ||
   fail "least squares"
 

@@ -8,12 +8,17 @@
 #include "check.h"
 #include "test_meshes.h"
 
+#include <CGAL/Polygon_mesh_processing/approximation_error.h>
 #include <CGAL/Polygon_mesh_processing/Flat_triangle_surface.h>
 #include <CGAL/Polygon_mesh_processing/optimize_vertex_locations.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <string>
+#include <vector>
 
 namespace PMP = CGAL::Polygon_mesh_processing;
 
@@ -236,6 +241,78 @@ void test_coincident_vertices()
   }
 }
 
+// A rectangle, flat or curved, of which the remesh has cut off two corners: they come back if the border may move.
+void test_cut_corners()
+{
+  constexpr std::size_t columns = 12, rows = 8;
+  for(const double height : { 0., 0.4 })
+  {
+    start_topic("corners that the remesh cuts off come back, height " + std::to_string(height));
+    const auto terrain = [&](std::size_t refinement) {
+      return make_mesh(transformed(triangle_grid(refinement * columns, refinement * rows, false, 0), [&](const Point& p) {
+        const double x = p.x() / refinement, y = p.y() / refinement;
+        return Point(x, y,
+                     height * std::exp(-((x - 6) * (x - 6) + (y - 4) * (y - 4)) / 8)); // the maximum error is not there
+      }));
+    };
+    const Mesh reference = terrain(5);
+    Mesh remesh = terrain(1);
+    const std::vector<Mesh::Vertex_index> cut{ Mesh::Vertex_index(0), Mesh::Vertex_index(rows * (columns + 1)) };
+    std::vector<Point> corners;
+    for(const Mesh::Vertex_index v : cut)
+    {
+      corners.push_back(remesh.point(v));
+      CHECK_EQUAL(remesh.degree(v), 2u);
+      CGAL::Euler::remove_face(remesh.is_border(remesh.halfedge(v)) ? remesh.opposite(remesh.next(remesh.halfedge(v)))
+                                                                    : remesh.halfedge(v),
+                               remesh);
+    }
+    remesh.collect_garbage();
+    const auto distance_of_corners = [&](const Mesh& mesh) {
+      double largest = 0;
+      for(const Point& corner : corners)
+      {
+        double nearest = HUGE_VAL;
+        for(const Point& p : mesh.points())
+          nearest = (std::min)(nearest, std::sqrt(CGAL::squared_distance(p, corner)));
+        largest = (std::max)(largest, nearest);
+      }
+      return largest;
+    };
+    CHECK_LESS(0.9, distance_of_corners(remesh));
+    for(const PMP::Placement_method method : { PMP::PIECEWISE_LINEAR, PMP::LEAST_SQUARES })
+    {
+      Mesh fixed = remesh, relaxed = remesh;
+      PMP::optimize_vertex_locations(fixed, reference, CGAL::parameters::placement_method(method));
+      PMP::optimize_vertex_locations(relaxed, reference, CGAL::parameters::placement_method(method).relax_constraints(true));
+      CHECK_AT_LEAST(distance_of_corners(fixed), 0.9);
+      CHECK_AT_MOST(distance_of_corners(relaxed), 1e-9);
+      const auto largest_gap = [&](const Mesh& mesh) {
+        return PMP::approximation_error(reference, PMP::Flat_triangle_surface<Mesh>(mesh)).max;
+      };
+      CHECK_LESS(0.65, largest_gap(remesh));
+      CHECK_LESS(largest_gap(relaxed), 0.1);
+      CHECK(!PMP::does_self_intersect(relaxed));
+    }
+  }
+
+  start_topic("the corners of a cube come back");
+  const Mesh reference = make_mesh(cube(0));
+  const Mesh expected = make_mesh(cube(3));
+  Mesh mesh = expected;
+  const Edge_map is_crease = mark(mesh, [](const Point& p, const Point& q) {
+    return (p.x() == q.x() && std::abs(p.x()) == 1) + (p.y() == q.y() && std::abs(p.y()) == 1) +
+             (p.z() == q.z() && std::abs(p.z()) == 1) ==
+           2;
+  });
+  mesh.point(Mesh::Vertex_index(0)) = mesh.point(Mesh::Vertex_index(0)) + Vector(0.08, 0.05, 0.06);
+  PMP::optimize_vertex_locations(mesh, reference,
+                                 CGAL::parameters::relax_constraints(true).edge_is_constrained_map(is_crease));
+  CHECK_NEAR(std::sqrt(CGAL::squared_distance(mesh.point(Mesh::Vertex_index(0)), expected.point(Mesh::Vertex_index(0)))), 0,
+             1e-12);
+  CHECK_NEAR(PMP::approximation_error(mesh, reference).max, 0, 1e-9);
+}
+
 int main()
 {
   start_topic("the rims of a can follow its circles");
@@ -249,5 +326,6 @@ int main()
   start_topic("edges without a crease stay");
   test_edges_without_crease();
   test_coincident_vertices();
+  test_cut_corners();
   return test_result();
 }

@@ -17,7 +17,7 @@
  * `project()`, with the last foot as the hint. With such a model, the vertices of constrained edges stay even if
  * `relax_constraints` is `true`, and `LEAST_SQUARES` takes its samples from the remesh alone.
  *
- * A class with a nested type `Foot` is taken for a model of this concept, another one for a triangle mesh.
+ * A class with a nested type `Foot` is taken for a model of this concept, another one for a polygon mesh.
  *
  * \cgalHasModelsBegin
  * \cgalHasModels{CGAL::Polygon_mesh_processing::PN_triangle_surface}

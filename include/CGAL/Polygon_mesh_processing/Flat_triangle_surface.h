@@ -18,51 +18,53 @@ namespace Polygon_mesh_processing {
 /*!
  * \ingroup PkgVertexLocationOptimizationSurfaces
  *
- * \brief The class `Flat_triangle_surface` is a triangle mesh as it is, piecewise linear.
+ * \brief The class `Flat_triangle_surface` is a polygon mesh as it is, piecewise linear.
  *
  * It is the reference surface for dense scans, whose triangles are much smaller than those of the remesh, and for
- * parts with planar faces. Its normals are those of the faces.
+ * parts with planar faces. Its normals are those of the faces. A face with more than three corners is triangulated, on a
+ * copy, as `triangulate_faces()` does.
  *
  * It is a copy, which several threads can use at the same time, and takes as long as `PN_triangle_surface` to construct and
  * to project to.
  *
- * \tparam TriangleMesh a model of `VertexListGraph`, `EdgeListGraph`, and `FaceListGraph`
+ * \tparam PolygonMesh a model of `VertexListGraph`, `EdgeListGraph`, and `FaceListGraph`
  * \tparam GeomTraits a model of `Kernel`, whose points the surface receives and returns. The computations are done in
- *                    double precision. The default is the kernel of the points of `TriangleMesh`.
+ *                    double precision. The default is the kernel of the points of `PolygonMesh`.
  *
  * \cgalModels{ReferenceSurface}
  *
  * \sa `CGAL::Polygon_mesh_processing::PN_triangle_surface`
  * \sa `CGAL::Polygon_mesh_processing::optimize_vertex_locations()`
  */
-template <typename TriangleMesh, typename GeomTraits = Default>
+template <typename PolygonMesh, typename GeomTraits = Default>
 class Flat_triangle_surface
 #ifndef DOXYGEN_RUNNING
   : public internal::vertex_location::Patch_surface<
       internal::vertex_location::Flat_triangle,
-      TriangleMesh,
-      internal::vertex_location::Geom_traits_or_kernel_of<TriangleMesh, GeomTraits>>
+      PolygonMesh,
+      internal::vertex_location::Geom_traits_or_kernel_of<PolygonMesh, GeomTraits>>
 #endif
 {
   using Base =
     internal::vertex_location::Patch_surface<internal::vertex_location::Flat_triangle,
-                                             TriangleMesh,
-                                             internal::vertex_location::Geom_traits_or_kernel_of<TriangleMesh, GeomTraits>>;
+                                             PolygonMesh,
+                                             internal::vertex_location::Geom_traits_or_kernel_of<PolygonMesh, GeomTraits>>;
 
 public:
   /*!
-   * \brief constructs the surface of `tmesh`.
+   * \brief constructs the surface of `pmesh`.
    *
    * The parameters are those of the constructor of `PN_triangle_surface`. Creases do not change this surface; they are what
    * `optimize_vertex_locations()` fits constrained edges to if its parameter `relax_constraints` is `true`.
    *
-   * \pre `CGAL::is_triangle_mesh(tmesh)`, and all coordinates are finite. Otherwise the surface is empty.
+   * \pre No face has less than three corners, or more and a vertex twice, and all coordinates are finite. Otherwise the
+   *      surface is empty.
    */
   template <typename NamedParameters = parameters::Default_named_parameters, typename ConcurrencyTag = Sequential_tag>
-  explicit Flat_triangle_surface(const TriangleMesh& tmesh,
+  explicit Flat_triangle_surface(const PolygonMesh& pmesh,
                                  const NamedParameters& np = parameters::default_values(),
                                  const ConcurrencyTag& = ConcurrencyTag())
-    : Base(tmesh, np, ConcurrencyTag())
+    : Base(pmesh, np, ConcurrencyTag())
   {}
 
 #ifdef DOXYGEN_RUNNING
@@ -76,7 +78,7 @@ public:
    * in the order of `PMP::Face_location`, which begins with the source of the halfedge of the face. The point there is that
    * of the foot.
    */
-  Face_location<TriangleMesh, double> location(const Foot& foot) const;
+  Face_location<PolygonMesh, double> location(const Foot& foot) const;
 #endif
 };
 

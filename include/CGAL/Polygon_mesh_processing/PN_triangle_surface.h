@@ -18,7 +18,7 @@ namespace Polygon_mesh_processing {
 /*!
  * \ingroup PkgVertexLocationOptimizationSurfaces
  *
- * \brief The class `PN_triangle_surface` is the smooth surface that the vertices and normals of a triangle mesh suggest.
+ * \brief The class `PN_triangle_surface` is the smooth surface that the vertices and normals of a polygon mesh suggest.
  *
  * Each face of the mesh carries a curved PN triangle \cgalCite{vpbm2001}: a cubic Bézier triangle that interpolates the
  * vertices and, as far as they agree, is orthogonal to the normals there, and a quadratic interpolation of the normals.
@@ -38,58 +38,60 @@ namespace Polygon_mesh_processing {
  * \f$ \frac{2}{3} l \sin \alpha \f$, where \f$ l \f$ is the length of the longest edge of the face and \f$ \alpha \f$ the
  * largest angle between the face and the tangent planes at its vertices.
  *
+ * A face with more than three corners is triangulated first, on a copy, as `triangulate_faces()` does.
+ *
  * The surface is a copy: it neither refers to the mesh nor changes with it. Once constructed it can be used by several
  * threads at the same time.
  *
  * The construction takes \cgalBigO{n \log n} time for \f$ n \f$ faces, and a projection \cgalBigO{\log n} where the
  * query point is near the surface.
  *
- * \tparam TriangleMesh a model of `VertexListGraph`, `EdgeListGraph`, and `FaceListGraph`
+ * \tparam PolygonMesh a model of `VertexListGraph`, `EdgeListGraph`, and `FaceListGraph`
  * \tparam GeomTraits a model of `Kernel`, whose points the surface receives and returns. The computations are done in
- *                    double precision. The default is the kernel of the points of `TriangleMesh`.
+ *                    double precision. The default is the kernel of the points of `PolygonMesh`.
  *
  * \cgalModels{ReferenceSurface}
  *
  * \sa `CGAL::Polygon_mesh_processing::Flat_triangle_surface`
  * \sa `CGAL::Polygon_mesh_processing::optimize_vertex_locations()`
  */
-template <typename TriangleMesh, typename GeomTraits = Default>
+template <typename PolygonMesh, typename GeomTraits = Default>
 class PN_triangle_surface
 #ifndef DOXYGEN_RUNNING
   : public internal::vertex_location::Patch_surface<
       internal::vertex_location::PN_triangle,
-      TriangleMesh,
-      internal::vertex_location::Geom_traits_or_kernel_of<TriangleMesh, GeomTraits>>
+      PolygonMesh,
+      internal::vertex_location::Geom_traits_or_kernel_of<PolygonMesh, GeomTraits>>
 #endif
 {
   using Base =
     internal::vertex_location::Patch_surface<internal::vertex_location::PN_triangle,
-                                             TriangleMesh,
-                                             internal::vertex_location::Geom_traits_or_kernel_of<TriangleMesh, GeomTraits>>;
+                                             PolygonMesh,
+                                             internal::vertex_location::Geom_traits_or_kernel_of<PolygonMesh, GeomTraits>>;
 
 public:
   /*!
-   * \brief constructs the surface of `tmesh`.
+   * \brief constructs the surface of `pmesh`.
    *
    * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
    * \tparam ConcurrencyTag enables sequential versus parallel construction; possible values are `Sequential_tag`,
    *                        `Parallel_tag`, and `Parallel_if_available_tag`
    *
-   * \param tmesh the triangle mesh
+   * \param pmesh the polygon mesh
    * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
    *
    * \cgalNamedParamsBegin
    *   \cgalParamNBegin{vertex_point_map}
-   *     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
+   *     \cgalParamDescription{a property map associating points to the vertices of `pmesh`}
    *     \cgalParamType{a class model of `ReadablePropertyMap` with
-   *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
-   *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+   *                    `boost::graph_traits<PolygonMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
+   *     \cgalParamDefault{`boost::get(CGAL::vertex_point, pmesh)`}
    *   \cgalParamNEnd
    *
    *   \cgalParamNBegin{edge_is_constrained_map}
-   *     \cgalParamDescription{a property map containing the crease-or-not status of each edge of `tmesh`}
+   *     \cgalParamDescription{a property map containing the crease-or-not status of each edge of `pmesh`}
    *     \cgalParamType{a class model of `ReadablePropertyMap` with
-   *                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type}
+   *                    `boost::graph_traits<PolygonMesh>::%edge_descriptor` as key type and `bool` as value type}
    *     \cgalParamDefault{the edges sharper than `sharpness_angle` are creases}
    *     \cgalParamExtra{If both this map and `sharpness_angle` are given, an edge is a crease if one of them says so.}
    *   \cgalParamNEnd
@@ -101,13 +103,14 @@ public:
    *   \cgalParamNEnd
    * \cgalNamedParamsEnd
    *
-   * \pre `CGAL::is_triangle_mesh(tmesh)`, and all coordinates are finite. Otherwise the surface is empty.
+   * \pre No face has less than three corners, or more and a vertex twice, and all coordinates are finite. Otherwise the
+   *      surface is empty.
    */
   template <typename NamedParameters = parameters::Default_named_parameters, typename ConcurrencyTag = Sequential_tag>
-  explicit PN_triangle_surface(const TriangleMesh& tmesh,
+  explicit PN_triangle_surface(const PolygonMesh& pmesh,
                                const NamedParameters& np = parameters::default_values(),
                                const ConcurrencyTag& = ConcurrencyTag())
-    : Base(tmesh, np, ConcurrencyTag())
+    : Base(pmesh, np, ConcurrencyTag())
   {}
 
 #ifdef DOXYGEN_RUNNING
@@ -120,8 +123,10 @@ public:
    * returns where a foot is in the mesh that the surface was made from: the face, and the barycentric coordinates in it,
    * in the order of `PMP::Face_location`, which begins with the source of the halfedge of the face. The point of the surface
    * is not that of the face with these coordinates but lies above or below it.
+   *
+   * \pre the face is a triangle: others have no barycentric coordinates
    */
-  Face_location<TriangleMesh, double> location(const Foot& foot) const;
+  Face_location<PolygonMesh, double> location(const Foot& foot) const;
 #endif
 };
 

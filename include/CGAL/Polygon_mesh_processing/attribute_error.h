@@ -29,65 +29,65 @@ namespace Polygon_mesh_processing {
 /*!
  * \ingroup PkgVertexLocationOptimizationRef
  *
- * \brief measures the difference between an attribute of a triangle mesh and that of a reference surface: its mean, its root
+ * \brief measures the difference between an attribute of a polygon mesh and that of a reference surface: its mean, its root
  *        mean square, and its maximum.
  *
- * At a point of `tmesh` the values of the map, interpolated linearly over the face, are compared with the attribute of the
+ * At a point of `pmesh` the values of the map, interpolated linearly over the face, are compared with the attribute of the
  * reference at the closest point. The difference of two values is the Euclidean one, as between points, also for colors,
- * whose channels go from 0 to 255. The means are taken over the area of `tmesh`, as `approximation_error()` does.
+ * whose channels go from 0 to 255. The means are taken over the area of `pmesh`, as `approximation_error()` does.
  *
- * At a seam of the reference, see `optimize_vertex_attributes()`, a face is compared with the side that its barycenter is
+ * At a seam of the reference, see `optimize_vertex_attributes()`, a face is compared with the side that its center is
  * on.
  *
  * The result does not depend on the number of threads.
  *
  * \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
  *                        `Parallel_tag`, and `Parallel_if_available_tag`.
- * \tparam TriangleMesh a model of `VertexListGraph`, `EdgeListGraph`, and `FaceListGraph`
+ * \tparam PolygonMesh a model of `VertexListGraph`, `EdgeListGraph`, and `FaceListGraph`
  * \tparam Reference a model of `VertexListGraph`, `EdgeListGraph`, and `FaceListGraph`, of any type, or a
  *                   `PN_triangle_surface` or `Flat_triangle_surface`
  * \tparam ReferenceAttributeMap a class model of `ReadablePropertyMap`, with keys and values as for
  *                               `optimize_vertex_attributes()`
  * \tparam AttributeMap a class model of `ReadablePropertyMap` with
- *                      `boost::graph_traits<TriangleMesh>::%vertex_descriptor` or
- *                      `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type, and a value type with as many
+ *                      `boost::graph_traits<PolygonMesh>::%vertex_descriptor` or
+ *                      `boost::graph_traits<PolygonMesh>::%halfedge_descriptor` as key type, and a value type with as many
  *                      numbers
  * \tparam NamedParameters1 a sequence of \ref bgl_namedparameters "Named Parameters"
  * \tparam NamedParameters2 a sequence of \ref bgl_namedparameters "Named Parameters"
  *
- * \param tmesh the triangle mesh
- * \param reference the surface that the attribute belongs to: a triangle mesh, which is taken as a `PN_triangle_surface`, or
+ * \param pmesh the polygon mesh
+ * \param reference the surface that the attribute belongs to: a polygon mesh, which is taken as a `PN_triangle_surface`, or
  *                  a reference surface that was made from one
  * \param reference_attribute_map the attribute of the reference, at its vertices or at the corners of its faces: the value
  *                                of a halfedge is that of its face at its target
- * \param attribute_map the attribute of `tmesh`, at its vertices or at the corners of its faces
+ * \param attribute_map the attribute of `pmesh`, at its vertices or at the corners of its faces
  * \param np1 an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{vertex_point_map}
- *     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
+ *     \cgalParamDescription{a property map associating points to the vertices of `pmesh`}
  *     \cgalParamType{a class model of `ReadablePropertyMap` with
- *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
- *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+ *                    `boost::graph_traits<PolygonMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
+ *     \cgalParamDefault{`boost::get(CGAL::vertex_point, pmesh)`}
  *   \cgalParamNEnd
  *
  *   \cgalParamNBegin{number_of_points_per_face}
- *     \cgalParamDescription{the number of samples in each face. It is rounded up to six times a square number: there are six
- *                           samples in each of the congruent triangles that the face is divided into.}
+ *     \cgalParamDescription{the number of samples in each triangle. It is rounded up to six times a square number: there are six
+ *                           samples in each of the congruent triangles that the triangle is divided into.}
  *     \cgalParamType{unsigned integer}
  *     \cgalParamDefault{`64`}
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
  * \param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters": those of the constructor of
- *            `PN_triangle_surface` if `reference` is a triangle mesh; not used if it is a reference surface
+ *            `PN_triangle_surface` if `reference` is a mesh; not used if it is a reference surface
  *
- * \pre `CGAL::is_triangle_mesh(tmesh)` and, if `reference` is a mesh, `CGAL::is_triangle_mesh(reference)`
+ * \pre no face of `pmesh` or, if it is a mesh, of `reference` has less than three corners, or more and a vertex twice
  * \pre all coordinates are finite
- * \pre the reference has a face, unless `tmesh` has no vertex
+ * \pre the reference has a face, unless `pmesh` has no vertex
  * \pre the maps have values for all vertices, or for the halfedges of all faces, which are finite
  *
- * \return the error, in the unit of the attribute. Where `tmesh` has no area the mean and the root mean square are `0`, and
+ * \return the error, in the unit of the attribute. Where `pmesh` has no area the mean and the root mean square are `0`, and
  *         so is the maximum if it has no face. If a precondition is violated and not checked, all three are infinite. They
  *         are infinite too where numbers are so large that they overflow; never `NaN`.
  *
@@ -95,13 +95,13 @@ namespace Polygon_mesh_processing {
  * \sa `CGAL::Polygon_mesh_processing::approximation_error()`
  */
 template <typename ConcurrencyTag = Sequential_tag,
-          typename TriangleMesh,
+          typename PolygonMesh,
           typename Reference,
           typename ReferenceAttributeMap,
           typename AttributeMap,
           typename NamedParameters1 = parameters::Default_named_parameters,
           typename NamedParameters2 = parameters::Default_named_parameters>
-Approximation_error attribute_error(const TriangleMesh& tmesh,
+Approximation_error attribute_error(const PolygonMesh& pmesh,
                                     const Reference& reference,
                                     const ReferenceAttributeMap& reference_attribute_map,
                                     const AttributeMap& attribute_map,
@@ -122,15 +122,15 @@ Approximation_error attribute_error(const TriangleMesh& tmesh,
 
   const Approximation_error failure{ infinity, infinity, infinity };
   Mesh_arrays mesh;
-  Mesh_descriptors<TriangleMesh> descriptors;
-  if(!read_mesh(tmesh, read_vertex_point_map(tmesh, np1), mesh, descriptors))
+  Mesh_descriptors<PolygonMesh> descriptors;
+  if(!read_mesh(pmesh, read_vertex_point_map(pmesh, np1), mesh, descriptors))
     return failure;
   const std::size_t number_of_points =
     choose_parameter(get_parameter(np1, internal_np::number_of_points_per_face), default_number_of_points_per_face);
-  bool has_mesh_values = has_all_values(tmesh, descriptors, attribute_map);
+  bool has_mesh_values = has_all_values(pmesh, mesh, descriptors, attribute_map);
   std::vector<Value> corner_values;
   if(has_mesh_values)
-    corner_values = read_corner_values<Value>(tmesh, mesh, descriptors, attribute_map,
+    corner_values = read_corner_values<Value>(pmesh, mesh, descriptors, attribute_map,
                                               [](const auto& x) { return Attribute::to_signal(x); });
   for(const Value& value : corner_values)
     has_mesh_values = has_mesh_values && is_finite(value);

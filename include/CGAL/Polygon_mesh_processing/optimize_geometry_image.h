@@ -41,7 +41,7 @@ namespace Polygon_mesh_processing {
  * \tparam NamedParameters2 a sequence of \ref bgl_namedparameters "Named Parameters"
  *
  * \param image the image, whose samples are moved
- * \param reference the surface that the image approximates: a triangle mesh, which is taken as a `PN_triangle_surface`,
+ * \param reference the surface that the image approximates: a polygon mesh, which is taken as a `PN_triangle_surface`,
  *                  or a reference surface, such as the `Flat_triangle_surface` of the triangulated full image
  * \param np1 an optional sequence of \ref bgl_namedparameters "Named Parameters": those of `optimize_vertex_locations()`
  *            that are not about the vertices and edges of a mesh, with the same defaults: `number_of_iterations`,
@@ -49,7 +49,7 @@ namespace Polygon_mesh_processing {
  *            `relax_constraints` (which are the borders of an open image), `do_self_intersection_tests`, and `visitor`
  *
  * \param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters": those of the constructor of
- *            `PN_triangle_surface` if `reference` is a triangle mesh; not used if it is a reference surface
+ *            `PN_triangle_surface` if `reference` is a mesh; not used if it is a reference surface
  *
  * \pre all coordinates are finite; and those of `optimize_vertex_locations()`
  *

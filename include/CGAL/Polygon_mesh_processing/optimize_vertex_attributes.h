@@ -31,7 +31,7 @@ namespace Polygon_mesh_processing {
 /*!
  * \ingroup PkgVertexLocationOptimizationRef
  *
- * \brief computes the values of an attribute, such as colors or texture coordinates, of the vertices of a triangle mesh
+ * \brief computes the values of an attribute, such as colors or texture coordinates, of the vertices of a polygon mesh
  *        whose interpolation over its faces is closest to the attribute of a reference surface.
  *
  * A remesh has lost the attributes of its input. To read them off at the closest points of its vertices is not the best that
@@ -39,18 +39,21 @@ namespace Polygon_mesh_processing {
  * function takes the attribute of the reference as a signal \f$ s \f$, as \cgalCite{vlo2012} takes its points and normals
  * (Sections 3.1 and 3.4), and finds the values \f$ a_k \f$ that minimize
  * \f[ \int \Big\| \sum_k \lambda_k(x)\,a_k - s(\pi(x)) \Big\|^2 dx \f]
- * over the surface of `tmesh`, where \f$ \lambda_k \f$ are the barycentric coordinates in the face of \f$ x \f$ and
+ * over the surface of `pmesh`, where \f$ \lambda_k \f$ are the barycentric coordinates in the triangle of \f$ x \f$ and
  * \f$ \pi(x) \f$ is the point of the reference that is closest to \f$ x \f$. It is best called after
  * `optimize_vertex_locations()`.
  *
- * The integral is a sum over samples, at least six in each face of `tmesh` and about as many as the reference has faces:
- * what is finer than the faces of `tmesh` is averaged. A signal that is linear over the surface is
+ * The integral is a sum over samples, at least six in each face of `pmesh` and about as many as the reference has faces:
+ * what is finer than the faces of `pmesh` is averaged. A signal that is linear over the surface is
  * reproduced but for rounding. The mean of the differences at the samples is never larger than with the values at the
  * closest points of the vertices.
  *
+ * A face with more than three corners stands for the mean of its fans, as in `optimize_vertex_locations()`: each of their triangles
+ * is one of the sum, with its weight.
+ *
  * <b>Seams.</b> The attribute of the reference may have seams, as texture coordinates have: edges with different values on
- * their sides. They can be given by a map of halfedges only, the values of the corners of the faces. A face of `tmesh` takes
- * all its samples on the side of its barycenter; none crosses a seam. `tmesh` has seams where `edge_is_constrained_map` says
+ * their sides. They can be given by a map of halfedges only, the values of the corners of the faces. A face of `pmesh` takes
+ * all its samples on the side of its center; none crosses a seam. `pmesh` has seams where `edge_is_constrained_map` says
  * so, and between faces that are on different sides of a seam of the reference. A map of halfedges receives the values of
  * both sides. A map of vertices receives those of the side with the largest area around the vertex. So no value is a mixture
  * across a seam. Seams look best if the remesher keeps them as edges.
@@ -61,11 +64,11 @@ namespace Polygon_mesh_processing {
  * The result does not depend on the number of threads.
  *
  * It takes \cgalBigO{(n + m) \log m} time and \cgalBigO{n + m} memory for \f$ n \f$ vertices and a reference of \f$ m \f$
- * faces: a linear system with the mass matrix of `tmesh`, which is solved by a fixed number of Chebyshev's iterations.
+ * faces: a linear system with the mass matrix of `pmesh`, which is solved by a fixed number of Chebyshev's iterations.
  *
  * \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
  *                        `Parallel_tag`, and `Parallel_if_available_tag`.
- * \tparam TriangleMesh a model of `VertexListGraph`, `EdgeListGraph`, and `FaceListGraph`
+ * \tparam PolygonMesh a model of `VertexListGraph`, `EdgeListGraph`, and `FaceListGraph`
  * \tparam Reference a model of `VertexListGraph`, `EdgeListGraph`, and `FaceListGraph`, of any type, or a
  *                   `PN_triangle_surface` or `Flat_triangle_surface`
  * \tparam ReferenceAttributeMap a class model of `ReadablePropertyMap`. The key type is the vertex or the halfedge
@@ -73,18 +76,18 @@ namespace Polygon_mesh_processing {
  *                               type, such as `double` or `unsigned char`; `%Point_2`, `%Point_3`, `%Vector_2` or
  *                               `%Vector_3` of a \cgal kernel; `CGAL::IO::Color`; or a `std::array` of numbers.
  * \tparam AttributeMap a class model of `WritablePropertyMap` with
- *                      `boost::graph_traits<TriangleMesh>::%vertex_descriptor` or
- *                      `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type, and a value type as above with
+ *                      `boost::graph_traits<PolygonMesh>::%vertex_descriptor` or
+ *                      `boost::graph_traits<PolygonMesh>::%halfedge_descriptor` as key type, and a value type as above with
  *                      as many numbers
  * \tparam NamedParameters1 a sequence of \ref bgl_namedparameters "Named Parameters"
  * \tparam NamedParameters2 a sequence of \ref bgl_namedparameters "Named Parameters"
  *
- * \param tmesh the triangle mesh
- * \param reference the surface that the attribute belongs to: a triangle mesh, which is taken as a `PN_triangle_surface`, or
+ * \param pmesh the polygon mesh
+ * \param reference the surface that the attribute belongs to: a polygon mesh, which is taken as a `PN_triangle_surface`, or
  *                  a reference surface that was made from one
  * \param reference_attribute_map the attribute of the reference, at its vertices or at the corners of its faces: the value
  *                                of a halfedge is that of its face at its target. Over a face it is interpolated linearly.
- * \param attribute_map receives the values at the vertices of `tmesh` or at the corners of its faces. Border halfedges
+ * \param attribute_map receives the values at the vertices of `pmesh` or at the corners of its faces. Border halfedges
  *                      receive none.
  * \param np1 an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
  *
@@ -99,27 +102,27 @@ namespace Polygon_mesh_processing {
  *   \cgalParamNEnd
  *
  *   \cgalParamNBegin{vertex_point_map}
- *     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
+ *     \cgalParamDescription{a property map associating points to the vertices of `pmesh`}
  *     \cgalParamType{a class model of `ReadablePropertyMap` with
- *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
- *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+ *                    `boost::graph_traits<PolygonMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
+ *     \cgalParamDefault{`boost::get(CGAL::vertex_point, pmesh)`}
  *   \cgalParamNEnd
  *
  *   \cgalParamNBegin{edge_is_constrained_map}
- *     \cgalParamDescription{a property map containing the seam-or-not status of each edge of `tmesh`}
+ *     \cgalParamDescription{a property map containing the seam-or-not status of each edge of `pmesh`}
  *     \cgalParamType{a class model of `ReadablePropertyMap` with
- *                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type}
+ *                    `boost::graph_traits<PolygonMesh>::%edge_descriptor` as key type and `bool` as value type}
  *     \cgalParamDefault{a default property map where no edge is a seam but those that separate the sides of a seam of the
  *                       reference}
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
  * \param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters": those of the constructor of
- *            `PN_triangle_surface` if `reference` is a triangle mesh; not used if it is a reference surface
+ *            `PN_triangle_surface` if `reference` is a mesh; not used if it is a reference surface
  *
- * \pre `CGAL::is_triangle_mesh(tmesh)` and, if `reference` is a mesh, `CGAL::is_triangle_mesh(reference)`
+ * \pre no face of `pmesh` or, if it is a mesh, of `reference` has less than three corners, or more and a vertex twice
  * \pre all coordinates are finite
- * \pre the reference has a face, unless `tmesh` has no vertex
+ * \pre the reference has a face, unless `pmesh` has no vertex
  * \pre the maps have values for all vertices, or for the halfedges of all faces; those of `reference_attribute_map` are
  * finite
  *
@@ -131,13 +134,13 @@ namespace Polygon_mesh_processing {
  * \sa `CGAL::Polygon_mesh_processing::optimize_vertex_locations()`
  */
 template <typename ConcurrencyTag = Sequential_tag,
-          typename TriangleMesh,
+          typename PolygonMesh,
           typename Reference,
           typename ReferenceAttributeMap,
           typename AttributeMap,
           typename NamedParameters1 = parameters::Default_named_parameters,
           typename NamedParameters2 = parameters::Default_named_parameters>
-void optimize_vertex_attributes(const TriangleMesh& tmesh,
+void optimize_vertex_attributes(const PolygonMesh& pmesh,
                                 const Reference& reference,
                                 const ReferenceAttributeMap& reference_attribute_map,
                                 AttributeMap attribute_map,
@@ -156,11 +159,11 @@ void optimize_vertex_attributes(const TriangleMesh& tmesh,
 
   const bool clamp_to_samples = choose_parameter(get_parameter(np1, internal_np::clamp_to_samples), true);
   Mesh_arrays mesh;
-  Mesh_descriptors<TriangleMesh> descriptors;
-  if(!read_mesh(tmesh, read_vertex_point_map(tmesh, np1), mesh, descriptors))
+  Mesh_descriptors<PolygonMesh> descriptors;
+  if(!read_mesh(pmesh, read_vertex_point_map(pmesh, np1), mesh, descriptors))
     return;
   const std::vector<char> is_seam = find_constrained_edges(mesh, descriptors, np1);
-  const bool is_map_of_mesh = has_all_values(tmesh, descriptors, attribute_map);
+  const bool is_map_of_mesh = has_all_values(pmesh, mesh, descriptors, attribute_map);
   CGAL_precondition_msg(is_map_of_mesh, "The attribute map is not one of the mesh.");
   if(!is_map_of_mesh)
     return;
@@ -181,7 +184,7 @@ void optimize_vertex_attributes(const TriangleMesh& tmesh,
     const Corner_nodes& nodes = fit.nodes();
     const std::vector<Index> node_of_vertex = choose_vertex_nodes(mesh, nodes);
     write_values(
-      tmesh, descriptors, attribute_map,
+      pmesh, mesh, descriptors, attribute_map,
       [&](std::size_t c) { return Attribute::from_signal(fit.values()[nodes.of_corner(c)]); },
       [&](std::size_t i) {
         return Attribute::from_signal(node_of_vertex[i] == no_index ? samples.at_vertices[i]

@@ -6,22 +6,14 @@
 #ifndef CGAL_POLYGON_MESH_PROCESSING_OPTIMIZE_VERTEX_LOCATIONS_H
 #define CGAL_POLYGON_MESH_PROCESSING_OPTIMIZE_VERTEX_LOCATIONS_H
 
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/New_intersections.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Placement/make_placement.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/read_optimization_parameters.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/with_reference_surface.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Remesh.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/optimize_faces.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/named_parameters.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/read_mesh.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/read_parameters.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Vertex_location_optimizer.h>
 #include <CGAL/Polygon_mesh_processing/Placement_method.h>
 #include <CGAL/Polygon_mesh_processing/Vertex_location_optimization_report.h>
 
-#include <CGAL/assertions.h>
 #include <CGAL/tags.h>
 
-#include <utility>
+#include <type_traits>
 
 namespace CGAL {
 namespace Polygon_mesh_processing {
@@ -41,12 +33,17 @@ namespace Polygon_mesh_processing {
  * and shortens moves that flip a face. It is Algorithm 1 of \cgalCite{vlo2012}; its equations (1) to (4) are those
  * of the fit and of the springs.
  *
- * As sampled, the result is never worse than the input: neither the mean nor the maximum distance of `tmesh` to the reference is
+ * As sampled, the result is never worse than the input: neither the mean nor the maximum distance of `pmesh` to the reference is
  * larger than before; no face is flipped, that is, has turned by more than 60 degrees or opposes the reference where it
  * did not before; and no face has collapsed, to a smallest angle below 10 degrees and below half of what it was. To that
  * end the distance is sampled at the vertices, the midpoints of the edges and the barycenters of the faces, and at 45
  * points of the faces that come near the maximum; moves are shortened where they do harm. The distance in the other
- * direction, from the reference to `tmesh`, is not guaranteed.
+ * direction, from the reference to `pmesh`, is not guaranteed.
+ *
+ * The faces may have any number of corners. One with more than three stands for the mean of its fans, one from each of its
+ * corners, all with the same weight: a quad is both its pairs of triangles, half each. So nothing depends on which corner comes
+ * first, and a corner off the plane of the others counts for what it is. Distances, errors and the guarantee above are those of
+ * these triangles; springs act along the edges of the faces. The section \ref secVLOPolygons says more.
  *
  * The computations are done in double precision, whatever the kernel of the points; with an exact one the points of the
  * vertices that move are converted. The result does not depend on the number of threads.
@@ -55,15 +52,15 @@ namespace Polygon_mesh_processing {
  *
  * \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
  *                        `Parallel_tag`, and `Parallel_if_available_tag`.
- * \tparam TriangleMesh a model of `VertexListGraph`, `EdgeListGraph`, and `FaceListGraph`
+ * \tparam PolygonMesh a model of `VertexListGraph`, `EdgeListGraph`, and `FaceListGraph`
  * \tparam Reference a model of `VertexListGraph`, `EdgeListGraph`, and `FaceListGraph`, of any type, or a model of
  *                   `ReferenceSurface`
  * \tparam NamedParameters1 a sequence of \ref bgl_namedparameters "Named Parameters"
  * \tparam NamedParameters2 a sequence of \ref bgl_namedparameters "Named Parameters"
  *
- * \param tmesh the remesh, whose vertices are moved. Vertices that are at the same point, such as the copies of a
+ * \param pmesh the remesh, whose vertices are moved; its faces may have more than three corners. Vertices that are at the same point, such as the copies of a
  *              non-manifold vertex, stay.
- * \param reference the surface that `tmesh` approximates: the triangle mesh that was remeshed, which is taken as a
+ * \param reference the surface that `pmesh` approximates: the polygon mesh that was remeshed, which is taken as a
  *                  `PN_triangle_surface`, or, if creases make more than a third of the length of its edges, as a
  *                  `Flat_triangle_surface`; or a reference surface, which can serve for many calls. The report says
  *                  which it was.
@@ -71,12 +68,12 @@ namespace Polygon_mesh_processing {
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{vertex_point_map}
- *     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
+ *     \cgalParamDescription{a property map associating points to the vertices of `pmesh`}
  *     \cgalParamType{a class model of `ReadWritePropertyMap` with
- *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
- *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+ *                    `boost::graph_traits<PolygonMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
+ *     \cgalParamDefault{`boost::get(CGAL::vertex_point, pmesh)`}
  *     \cgalParamExtra{If this parameter is omitted, an internal property map for `CGAL::vertex_point_t` must be
- *                     available in `TriangleMesh`.}
+ *                     available in `PolygonMesh`.}
  *   \cgalParamNEnd
  *
  *   \cgalParamNBegin{number_of_iterations}
@@ -108,12 +105,12 @@ namespace Polygon_mesh_processing {
  *   \cgalParamNEnd
  *
  *   \cgalParamNBegin{regularity_weight}
- *     \cgalParamDescription{with `LEAST_SQUARES`, the weight of the regularity of the triangles beside their error; less
+ *     \cgalParamDescription{with `LEAST_SQUARES`, the weight of the regularity of the faces beside their error; less
  *                           of it gives less error and less regular triangles. It counts in full where the present error
  *                           is large; where it is below 1.8% of the length of the edges around, the weight falls in
  *                           proportion to it: the smaller the error, the less of it is given for regularity.}
  *     \cgalParamType{a number type convertible to `double`}
- *     \cgalParamDefault{`0.135` where `tmesh` comes with regular faces, whose smallest angles are 50 degrees on an
+ *     \cgalParamDefault{`0.135` where `pmesh` comes with regular faces, whose smallest angles are 50 degrees on an
  *                       average; the less, down to a quarter, the smaller these angles are, as after simplification}
  *     \cgalParamExtra{The springs of `PIECEWISE_LINEAR` have no weight: see `number_of_relaxation_steps`. With
  *                     `LEAST_SQUARES` only the vertices of constrained edges have springs, and the free iterations are
@@ -123,16 +120,16 @@ namespace Polygon_mesh_processing {
  *   \cgalParamNBegin{number_of_relaxation_steps}
  *     \cgalParamDescription{the number of steps of the springs in each free iteration; `0`: no springs}
  *     \cgalParamType{unsigned integer}
- *     \cgalParamDefault{`1`, with springs that are the weaker the smaller the angles of `tmesh` are, and none where their
- *                       mean is below 36 degrees, as after simplification}
+ *     \cgalParamDefault{`1`, with springs that are the weaker the smaller the angles of `pmesh` are, and none where their
+ *                       mean is below 36 degrees, as after simplification; `0` if a face has more than three corners}
  *   \cgalParamNEnd
  *
  *   \cgalParamNBegin{edge_is_constrained_map}
- *     \cgalParamDescription{a property map containing the constrained-or-not status of each edge of `tmesh`. The
+ *     \cgalParamDescription{a property map containing the constrained-or-not status of each edge of `pmesh`. The
  *                           vertices of constrained edges do not move or, with `relax_constraints`, follow the creases
  *                           and borders of the reference.}
  *     \cgalParamType{a class model of `ReadablePropertyMap` with
- *                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type}
+ *                    `boost::graph_traits<PolygonMesh>::%edge_descriptor` as key type and `bool` as value type}
  *     \cgalParamDefault{a default property map where no edge is constrained}
  *     \cgalParamExtra{Border edges are always constrained.}
  *   \cgalParamNEnd
@@ -140,7 +137,9 @@ namespace Polygon_mesh_processing {
  *   \cgalParamNBegin{relax_constraints}
  *     \cgalParamDescription{If `true`, a vertex with exactly two constrained edges that form an angle of more than 120
  *                           degrees moves to where these edges approximate the crease or border of the reference best
- *                           that they run along. Other vertices of constrained edges are corners and do not move.}
+ *                           that they run along. Other vertices of constrained edges are corners and do not move. Where
+ *                           a corner of the reference, at which creases or borders meet, has been cut off, the nearest
+ *                           vertex with as many constrained edges moves to it.}
  *     \cgalParamType{Boolean}
  *     \cgalParamDefault{`false`}
  *     \cgalParamExtra{The creases of the reference are those of `PN_triangle_surface` and `Flat_triangle_surface`. With
@@ -148,10 +147,10 @@ namespace Polygon_mesh_processing {
  *   \cgalParamNEnd
  *
  *   \cgalParamNBegin{vertex_is_constrained_map}
- *     \cgalParamDescription{a property map containing the constrained-or-not status of each vertex of `tmesh`. A
+ *     \cgalParamDescription{a property map containing the constrained-or-not status of each vertex of `pmesh`. A
  *                           constrained vertex does not move.}
  *     \cgalParamType{a class model of `ReadablePropertyMap` with
- *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `bool` as value type}
+ *                    `boost::graph_traits<PolygonMesh>::%vertex_descriptor` as key type and `bool` as value type}
  *     \cgalParamDefault{a default property map where no vertex is constrained}
  *   \cgalParamNEnd
  *
@@ -167,7 +166,8 @@ namespace Polygon_mesh_processing {
  *
  *   \cgalParamNBegin{do_self_intersection_tests}
  *     \cgalParamDescription{If `true`, moves are shortened until no two faces intersect that did not before. The test is
- *                           `self_intersections()`, at the end of the run.}
+ *                           `self_intersections()`, at the end of the run, on a triangulation of the faces: the
+ *                           triangles of one face do not count against each other.}
  *     \cgalParamType{Boolean}
  *     \cgalParamDefault{`false`; with `LEAST_SQUARES` `true`}
  *   \cgalParamNEnd
@@ -180,72 +180,90 @@ namespace Polygon_mesh_processing {
  * \cgalNamedParamsEnd
  *
  * \param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters": those of the constructor of
- *            `PN_triangle_surface` if `reference` is a triangle mesh; not used if it is a reference surface
+ *            `PN_triangle_surface` if `reference` is a mesh; not used if it is a reference surface
  *
- * \pre `CGAL::is_triangle_mesh(tmesh)` and, if `reference` is a mesh, `CGAL::is_triangle_mesh(reference)`
+ * \pre no face of `pmesh` or, if it is a mesh, of `reference` has less than three corners, or more and a vertex twice
  * \pre all coordinates are finite
  * \pre `convergence_threshold` and `regularity_weight` are not negative
- * \pre the reference has a face, unless `tmesh` has no vertex
+ * \pre the reference has a face, unless `pmesh` has no vertex
  *
- * \return what was done. If a precondition is violated and not checked, `tmesh` is untouched and the report says that
+ * \return what was done. If a precondition is violated and not checked, `pmesh` is untouched and the report says that
  *         there was no iteration.
  *
  * \sa `CGAL::Polygon_mesh_processing::isotropic_remeshing()`
  * \sa `CGAL::Polygon_mesh_processing::approximation_error()`
  */
 template <typename ConcurrencyTag = Sequential_tag,
-          typename TriangleMesh,
+          typename PolygonMesh,
           typename Reference,
           typename NamedParameters1 = parameters::Default_named_parameters,
-          typename NamedParameters2 = parameters::Default_named_parameters>
-Vertex_location_optimization_report optimize_vertex_locations(TriangleMesh& tmesh,
+          typename NamedParameters2 = parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          ,
+          std::enable_if_t<internal::Is_named_parameters<NamedParameters1>::value, int> = 0
+#endif
+          >
+Vertex_location_optimization_report optimize_vertex_locations(PolygonMesh& pmesh,
                                                               const Reference& reference,
                                                               const NamedParameters1& np1 = parameters::default_values(),
                                                               const NamedParameters2& np2 = parameters::default_values())
 {
   using namespace internal::vertex_location;
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
+  return optimize_faces<ConcurrencyTag>(pmesh, All_faces(), reference, np1, np2);
+}
 
-  auto vpm = read_vertex_point_map(tmesh, np1);
-  using Point_3 = typename boost::property_traits<decltype(vpm)>::value_type;
-
-  const Optimization_options options = read_options(np1);
-  const bool has_valid_options = options.convergence_threshold >= 0 && options.regularity_weight.value_or(0) >= 0;
-  CGAL_precondition(has_valid_options);
-  if(!has_valid_options)
-    return {};
-
-  Mesh_arrays mesh;
-  Mesh_descriptors<TriangleMesh> descriptors;
-  if(!read_mesh(tmesh, vpm, mesh, descriptors))
-    return {};
-  Constraints constraints = read_constraints(mesh, descriptors, np1);
-  Remesh remesh(std::move(mesh), std::move(constraints));
-
-  auto is_allowed = choose_parameter(get_parameter(np1, internal_np::allow_move_functor), Allow_all_moves());
-  const auto allow_move = [&](std::size_t i, const Point& source, const Point& target) {
-    return is_allowed(descriptors.vertices[i], convert<Point_3>(source), convert<Point_3>(target));
-  };
-  const Self_intersection_test<ConcurrencyTag, TriangleMesh> find_self_intersections(tmesh, descriptors,
-                                                                                     options.do_self_intersection_tests);
-  auto visitor_or_reference =
-    choose_parameter(get_parameter(np1, internal_np::visitor), Vertex_location_optimization_default_visitor());
-  auto& visitor = unwrap_reference(visitor_or_reference);
-
-  const auto report =
-    with_reference<ConcurrencyTag>(remesh, reference, np2, Vertex_location_optimization_report(), [&](const auto& surface) {
-      Vertex_location_optimization_report result =
-        optimize<ConcurrencyTag>(surface, options, allow_move, find_self_intersections, visitor,
-                                 make_placement<ConcurrencyTag>(surface, remesh, options), remesh);
-      result.reference = surface.template summary<ConcurrencyTag>();
-      return result;
-    });
-
-  for(std::size_t i = 0; i < remesh.points.size(); ++i)
-    if(remesh.points[i] != remesh.initial_points[i])
-      put(vpm, descriptors.vertices[i], convert<Point_3>(remesh.points[i]));
-  return report;
+/*!
+ * \ingroup PkgVertexLocationOptimizationRef
+ *
+ * \brief moves the vertices of a part of a remesh, as the function for the whole of it does.
+ *
+ * Only vertices all of whose faces are in the range move. The others stay, even with `relax_constraints`, and so does all else
+ * of `pmesh`, to the last bit. The faces of the range get what they would get if all other vertices were constrained: the
+ * errors that are compared at the end and the report are those of the range. Self-intersections are
+ * tested with the rest of `pmesh`, too, and with `LEAST_SQUARES` the parts of the reference that are closer to the rest are left
+ * to it.
+ *
+ * An iteration takes time for the range alone; to read the faces takes \cgalBigO{n} time for the \f$ n \f$ faces of `pmesh`,
+ * and to find what is closer to the rest, once, \cgalBigO{n \log n}.
+ *
+ * \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
+ *                        `Parallel_tag`, and `Parallel_if_available_tag`.
+ * \tparam FaceRange a model of `ConstRange` with `boost::graph_traits<PolygonMesh>::%face_descriptor` as value type
+ * \tparam PolygonMesh a model of `VertexListGraph`, `EdgeListGraph`, and `FaceListGraph`
+ * \tparam Reference a model of `VertexListGraph`, `EdgeListGraph`, and `FaceListGraph`, of any type, or a model of
+ *                   `ReferenceSurface`
+ * \tparam NamedParameters1 a sequence of \ref bgl_namedparameters "Named Parameters"
+ * \tparam NamedParameters2 a sequence of \ref bgl_namedparameters "Named Parameters"
+ *
+ * \param faces the faces of `pmesh` to be optimized; a face may be there twice, and the range may be empty
+ * \param pmesh the remesh, some of whose vertices are moved
+ * \param reference the surface that `pmesh` approximates, all of it
+ * \param np1 an optional sequence of \ref bgl_namedparameters "Named Parameters", as for the whole mesh
+ * \param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters", as for the whole mesh
+ *
+ * \pre those of the function for the whole mesh
+ *
+ * \return what was done
+ */
+template <typename ConcurrencyTag = Sequential_tag,
+          typename FaceRange,
+          typename PolygonMesh,
+          typename Reference,
+          typename NamedParameters1 = parameters::Default_named_parameters,
+          typename NamedParameters2 = parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          ,
+          std::enable_if_t<!internal::Is_named_parameters<Reference>::value, int> = 0
+#endif
+          >
+Vertex_location_optimization_report optimize_vertex_locations(const FaceRange& faces,
+                                                              PolygonMesh& pmesh,
+                                                              const Reference& reference,
+                                                              const NamedParameters1& np1 = parameters::default_values(),
+                                                              const NamedParameters2& np2 = parameters::default_values())
+{
+  using namespace internal::vertex_location;
+  return optimize_faces<ConcurrencyTag>(pmesh, Face_selection<PolygonMesh>(faces, pmesh), reference, np1, np2);
 }
 
 } // namespace Polygon_mesh_processing

@@ -26,7 +26,7 @@ namespace Polygon_mesh_processing {
 /*!
  * \ingroup PkgVertexLocationOptimizationRef
  *
- * \brief computes the unit normals of the vertices of a triangle mesh whose interpolation over its faces is closest to
+ * \brief computes the unit normals of the vertices of a polygon mesh whose interpolation over its faces is closest to
  *        the normals of a reference surface.
  *
  * A renderer interpolates the normals of the vertices. The normals of the faces around a vertex give poor ones where the
@@ -40,6 +40,8 @@ namespace Polygon_mesh_processing {
  * corners receives them all and renders a crease sharp; a map of the vertices receives that of the sector with the
  * largest area.
  *
+ * A face with more than three corners stands for the mean of its fans, as in `optimize_vertex_locations()`.
+ *
  * The normals are always unit vectors. Where the faces have no area, or where the fit vanishes or turns away from the
  * reference, the normal is that of the reference near the vertex, and \f$ (0,0,1) \f$ if that has none either.
  *
@@ -47,17 +49,17 @@ namespace Polygon_mesh_processing {
  *
  * \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
  *                        `Parallel_tag`, and `Parallel_if_available_tag`.
- * \tparam TriangleMesh a model of `VertexListGraph`, `EdgeListGraph`, and `FaceListGraph`
+ * \tparam PolygonMesh a model of `VertexListGraph`, `EdgeListGraph`, and `FaceListGraph`
  * \tparam Reference a model of `VertexListGraph`, `EdgeListGraph`, and `FaceListGraph`, of any type, or a model of
  *                   `ReferenceSurface`
  * \tparam NormalMap a class model of `WritablePropertyMap` with `%Vector_3` as value type, and as key type
- *                   `boost::graph_traits<TriangleMesh>::%vertex_descriptor`, or
- *                   `boost::graph_traits<TriangleMesh>::%halfedge_descriptor`
+ *                   `boost::graph_traits<PolygonMesh>::%vertex_descriptor`, or
+ *                   `boost::graph_traits<PolygonMesh>::%halfedge_descriptor`
  * \tparam NamedParameters1 a sequence of \ref bgl_namedparameters "Named Parameters"
  * \tparam NamedParameters2 a sequence of \ref bgl_namedparameters "Named Parameters"
  *
- * \param tmesh the triangle mesh
- * \param reference the surface that gives the normals: a triangle mesh, which is taken as a `PN_triangle_surface`, or a
+ * \param pmesh the polygon mesh
+ * \param reference the surface that gives the normals: a polygon mesh, which is taken as a `PN_triangle_surface`, or a
  *                  reference surface
  * \param normal_map receives the normals of the vertices, or those of the corners of the faces: the normal of a halfedge
  *                   is that of its face at its target. Border halfedges receive none.
@@ -65,26 +67,26 @@ namespace Polygon_mesh_processing {
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{vertex_point_map}
- *     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
+ *     \cgalParamDescription{a property map associating points to the vertices of `pmesh`}
  *     \cgalParamType{a class model of `ReadablePropertyMap` with
- *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
- *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+ *                    `boost::graph_traits<PolygonMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
+ *     \cgalParamDefault{`boost::get(CGAL::vertex_point, pmesh)`}
  *   \cgalParamNEnd
  *
  *   \cgalParamNBegin{edge_is_constrained_map}
- *     \cgalParamDescription{a property map containing the crease-or-not status of each edge of `tmesh`}
+ *     \cgalParamDescription{a property map containing the crease-or-not status of each edge of `pmesh`}
  *     \cgalParamType{a class model of `ReadablePropertyMap` with
- *                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type}
+ *                    `boost::graph_traits<PolygonMesh>::%edge_descriptor` as key type and `bool` as value type}
  *     \cgalParamDefault{a default property map where no edge is a crease}
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
  * \param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters": those of the constructor of
- *            `PN_triangle_surface` if `reference` is a triangle mesh; not used if it is a reference surface
+ *            `PN_triangle_surface` if `reference` is a mesh; not used if it is a reference surface
  *
- * \pre `CGAL::is_triangle_mesh(tmesh)` and, if `reference` is a mesh, `CGAL::is_triangle_mesh(reference)`
+ * \pre no face of `pmesh` or, if it is a mesh, of `reference` has less than three corners, or more and a vertex twice
  * \pre all coordinates are finite
- * \pre the reference has a face, unless `tmesh` has no vertex
+ * \pre the reference has a face, unless `pmesh` has no vertex
  *
  * If a precondition is violated and not checked, the map is untouched.
  *
@@ -94,12 +96,12 @@ namespace Polygon_mesh_processing {
  * \sa `CGAL::Polygon_mesh_processing::compute_vertex_normals()`
  */
 template <typename ConcurrencyTag = Sequential_tag,
-          typename TriangleMesh,
+          typename PolygonMesh,
           typename Reference,
           typename NormalMap,
           typename NamedParameters1 = parameters::Default_named_parameters,
           typename NamedParameters2 = parameters::Default_named_parameters>
-void optimize_vertex_normals(const TriangleMesh& tmesh,
+void optimize_vertex_normals(const PolygonMesh& pmesh,
                              const Reference& reference,
                              NormalMap normal_map,
                              const NamedParameters1& np1 = parameters::default_values(),
@@ -109,8 +111,8 @@ void optimize_vertex_normals(const TriangleMesh& tmesh,
   using Normal = typename boost::property_traits<NormalMap>::value_type;
 
   Mesh_arrays mesh;
-  Mesh_descriptors<TriangleMesh> descriptors;
-  if(!read_mesh(tmesh, read_vertex_point_map(tmesh, np1), mesh, descriptors))
+  Mesh_descriptors<PolygonMesh> descriptors;
+  if(!read_mesh(pmesh, read_vertex_point_map(pmesh, np1), mesh, descriptors))
     return;
   const std::vector<char> is_crease = find_constrained_edges(mesh, descriptors, np1);
 
@@ -126,7 +128,7 @@ void optimize_vertex_normals(const TriangleMesh& tmesh,
       return unit_normal_or(to_vector(fit.values()[node]), to_vector(fit.sample(node)));
     };
     write_values(
-      tmesh, descriptors, normal_map, [&](std::size_t c) { return convert<Normal>(normal_at(nodes.of_corner(c))); },
+      pmesh, mesh, descriptors, normal_map, [&](std::size_t c) { return convert<Normal>(normal_at(nodes.of_corner(c))); },
       [&](std::size_t i) {
         const Vector sample = to_vector(samples.at_vertices[i]);
         return convert<Normal>(node_of_vertex[i] == no_index ? unit_normal_or(sample, sample)

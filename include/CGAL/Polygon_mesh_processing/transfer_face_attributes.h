@@ -24,11 +24,11 @@ namespace Polygon_mesh_processing {
 /*!
  * \ingroup PkgVertexLocationOptimizationRef
  *
- * \brief gives each face of a triangle mesh the value that most of it has on a reference surface, for example a material or
+ * \brief gives each face of a polygon mesh the value that most of it has on a reference surface, for example a material or
  *        the id of a patch.
  *
  * Ids and labels cannot be averaged. Each face is sampled, and gets the value that is met most often at the closest points
- * of the reference. The borders between regions of the same value so end up on the edges of `tmesh` that are nearest to
+ * of the reference. The borders between regions of the same value so end up on the edges of `pmesh` that are nearest to
  * them.
  *
  * The result does not depend on the number of threads.
@@ -37,40 +37,40 @@ namespace Polygon_mesh_processing {
  *
  * \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
  *                        `Parallel_tag`, and `Parallel_if_available_tag`.
- * \tparam TriangleMesh a model of `VertexListGraph`, `EdgeListGraph`, and `FaceListGraph`
+ * \tparam PolygonMesh a model of `VertexListGraph`, `EdgeListGraph`, and `FaceListGraph`
  * \tparam Reference a model of `VertexListGraph`, `EdgeListGraph`, and `FaceListGraph`, of any type, or a
  *                   `PN_triangle_surface` or `Flat_triangle_surface`
  * \tparam ReferenceFaceMap a class model of `ReadablePropertyMap`. The key type is the face descriptor of the mesh that
  *                          `reference` is or was made from, and the value type is a model of `EqualityComparable` and
  *                          `CopyConstructible`.
- * \tparam FaceMap a class model of `WritablePropertyMap` with `boost::graph_traits<TriangleMesh>::%face_descriptor` as key
+ * \tparam FaceMap a class model of `WritablePropertyMap` with `boost::graph_traits<PolygonMesh>::%face_descriptor` as key
  *                 type and a value type to which that of `ReferenceFaceMap` is convertible
  * \tparam NamedParameters1 a sequence of \ref bgl_namedparameters "Named Parameters"
  * \tparam NamedParameters2 a sequence of \ref bgl_namedparameters "Named Parameters"
  *
- * \param tmesh the triangle mesh
- * \param reference the surface that the attribute belongs to: a triangle mesh, which is taken as a `PN_triangle_surface`, or
+ * \param pmesh the polygon mesh
+ * \param reference the surface that the attribute belongs to: a polygon mesh, which is taken as a `PN_triangle_surface`, or
  *                  a reference surface that was made from one
  * \param reference_face_map the values of the faces of the reference
- * \param face_map receives the values of the faces of `tmesh`
+ * \param face_map receives the values of the faces of `pmesh`
  * \param np1 an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{vertex_point_map}
- *     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
+ *     \cgalParamDescription{a property map associating points to the vertices of `pmesh`}
  *     \cgalParamType{a class model of `ReadablePropertyMap` with
- *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
- *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+ *                    `boost::graph_traits<PolygonMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
+ *     \cgalParamDefault{`boost::get(CGAL::vertex_point, pmesh)`}
  *   \cgalParamNEnd
  *
  * \cgalNamedParamsEnd
  *
  * \param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters": those of the constructor of
- *            `PN_triangle_surface` if `reference` is a triangle mesh; not used if it is a reference surface
+ *            `PN_triangle_surface` if `reference` is a mesh; not used if it is a reference surface
  *
- * \pre `CGAL::is_triangle_mesh(tmesh)` and, if `reference` is a mesh, `CGAL::is_triangle_mesh(reference)`
+ * \pre no face of `pmesh` or, if it is a mesh, of `reference` has less than three corners, or more and a vertex twice
  * \pre all coordinates are finite
- * \pre the reference has a face, unless `tmesh` has no face
+ * \pre the reference has a face, unless `pmesh` has no face
  * \pre the maps have values for all faces
  *
  * If a precondition is violated and not checked, `face_map` is untouched.
@@ -78,13 +78,13 @@ namespace Polygon_mesh_processing {
  * \sa `CGAL::Polygon_mesh_processing::optimize_vertex_attributes()`
  */
 template <typename ConcurrencyTag = Sequential_tag,
-          typename TriangleMesh,
+          typename PolygonMesh,
           typename Reference,
           typename ReferenceFaceMap,
           typename FaceMap,
           typename NamedParameters1 = parameters::Default_named_parameters,
           typename NamedParameters2 = parameters::Default_named_parameters>
-void transfer_face_attributes(const TriangleMesh& tmesh,
+void transfer_face_attributes(const PolygonMesh& pmesh,
                               const Reference& reference,
                               const ReferenceFaceMap& reference_face_map,
                               FaceMap face_map,
@@ -94,12 +94,12 @@ void transfer_face_attributes(const TriangleMesh& tmesh,
   using namespace internal::vertex_location;
 
   Mesh_arrays mesh;
-  Mesh_descriptors<TriangleMesh> descriptors;
-  if(!read_mesh(tmesh, read_vertex_point_map(tmesh, np1), mesh, descriptors))
+  Mesh_descriptors<PolygonMesh> descriptors;
+  if(!read_mesh(pmesh, read_vertex_point_map(pmesh, np1), mesh, descriptors))
     return;
   bool is_map_of_mesh = true;
   for(auto h : descriptors.halfedges)
-    is_map_of_mesh = is_map_of_mesh && has_value_for(face_map, face(h, tmesh));
+    is_map_of_mesh = is_map_of_mesh && has_value_for(face_map, face(h, pmesh));
   CGAL_precondition_msg(is_map_of_mesh, "The map is not one of the faces of the mesh.");
   if(!is_map_of_mesh || mesh.number_of_faces() == 0)
     return;
@@ -113,8 +113,8 @@ void transfer_face_attributes(const TriangleMesh& tmesh,
 
     const std::vector<Index> chosen =
       choose_labels<ConcurrencyTag>(mesh, patches, [&](Index a, Index b) { return labels[a].value == labels[b].value; });
-    for(std::size_t f = 0; f < chosen.size(); ++f)
-      put(face_map, face(descriptors.halfedges[f], tmesh), labels[chosen[f]].value);
+    for(std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+      put(face_map, face(descriptors.halfedges[f], pmesh), labels[chosen[mesh.polygon(f)]].value);
     return true;
   });
 }

@@ -111,6 +111,7 @@ struct Remesh : Mesh_arrays
   // The mean length of the edges around each vertex of M_0. What is relative to the size of the triangles is relative to this,
   // so that a mesh whose edges differ a hundredfold is treated alike everywhere.
   const std::vector<double> lengths;
+  Mesh_arrays surroundings; // the rest of the user's mesh, if that matters
   const Index_groups corners_of_vertices;
 
 private:
@@ -135,11 +136,12 @@ private:
   template <typename F>
   void for_each_end(const F& f) const
   {
-    for(const std::array<Index, 2>& e : edges)
-    {
-      f(e[0], e[1]);
-      f(e[1], e[0]);
-    }
+    for(std::size_t e = 0; e < edges.size(); ++e)
+      if(!is_diagonal(e))
+      {
+        f(edges[e][0], edges[e][1]);
+        f(edges[e][1], edges[e][0]);
+      }
   }
 };
 

@@ -75,15 +75,20 @@ void for_each_coincident_vertex(const std::vector<Point>& points, const F& f)
     }
 }
 
-// What the user's constraints and the border keep from moving freely. Constrained edges and the border hold their vertices
-// or, if `relax_constraints`, guide them. Vertices at the same point stay, as they must not part.
-template <typename TriangleMesh, typename NamedParameters>
-Constraints
-read_constraints(const Mesh_arrays& mesh, const Mesh_descriptors<TriangleMesh>& descriptors, const NamedParameters& np)
+// What the user's constraints and the borders keep from moving freely. Constrained edges and the border of `pmesh` hold their
+// vertices or, if `relax_constraints`, guide them. The vertices of faces that are not selected stay, and so do vertices at the
+// same point, as they must not part.
+template <typename PolygonMesh, typename Selection, typename VertexPointMap, typename NamedParameters>
+Constraints read_constraints(const PolygonMesh& pmesh,
+                             const Selection& selection,
+                             const Mesh_arrays& mesh,
+                             const Mesh_descriptors<PolygonMesh>& descriptors,
+                             const VertexPointMap& vpm,
+                             const NamedParameters& np)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  using vertex_descriptor = typename boost::graph_traits<PolygonMesh>::vertex_descriptor;
 
   const std::vector<char> is_constrained = find_constrained_edges(mesh, descriptors, np);
   const auto vertex_is_constrained = choose_parameter(get_parameter(np, internal_np::vertex_is_constrained),
@@ -93,16 +98,25 @@ read_constraints(const Mesh_arrays& mesh, const Mesh_descriptors<TriangleMesh>& 
   Constraints constraints;
   constraints.kinds.assign(mesh.points.size(), Vertex_kind::FREE);
   for(Index e = 0; e < mesh.edges.size(); ++e)
-    if(mesh.is_border(e) || is_constrained[e])
+    if(is_constrained[e] || (mesh.is_border(e) && is_border(descriptors.edges[e], pmesh)))
     {
       constraints.edges.push_back(e);
       for(Index i : mesh.edges[e])
         constraints.kinds[i] = relax_constraints ? Vertex_kind::ON_CURVE : Vertex_kind::FIXED;
     }
   for(std::size_t i = 0; i < mesh.points.size(); ++i)
-    if(get(vertex_is_constrained, descriptors.vertices[i]))
+    if(get(vertex_is_constrained, descriptors.vertices[i]) || !selection.has_all_faces_at(descriptors.vertices[i]))
       constraints.kinds[i] = Vertex_kind::FIXED;
-  for_each_coincident_vertex(mesh.points, [&](Index i) { constraints.kinds[i] = Vertex_kind::FIXED; });
+
+  std::vector<Point> points = mesh.points; // and then those of the vertices that are not read
+  if constexpr(!Selection::is_whole_mesh)
+    for(auto v : vertices(pmesh))
+      if(!selection.has_vertex(v))
+        points.push_back(convert<Point>(get(vpm, v)));
+  for_each_coincident_vertex(points, [&](Index i) {
+    if(i < constraints.kinds.size())
+      constraints.kinds[i] = Vertex_kind::FIXED;
+  });
   return constraints;
 }
 

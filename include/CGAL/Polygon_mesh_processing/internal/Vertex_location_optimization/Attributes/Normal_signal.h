@@ -51,7 +51,7 @@ public:
 
   Normal_signal(const Mesh_arrays& mesh, const Reference& reference, const std::vector<char>& is_crease)
     : m_mesh(mesh), m_reference(reference), m_is_crease(is_crease), m_sectors(mesh, is_crease),
-      m_face_normals(compute_face_normals<Sequential_tag>(mesh)), m_is_on_crease(mesh.points.size(), 0)
+      m_face_normals(compute_polygon_normals<Sequential_tag>(mesh)), m_is_on_crease(mesh.points.size(), 0)
   {
     for(std::size_t e = 0; e < mesh.edges.size(); ++e)
       if(is_crease[e])
@@ -117,9 +117,9 @@ private:
   void add_normals_beyond(Index c, Normals& normals) const
   {
     for(Index opposite : { Mesh_arrays::next(c), Mesh_arrays::previous(c) })
-      if(const Index across = m_mesh.corner_across(opposite);
-         m_is_crease[m_mesh.opposite_edge(opposite)] && across != no_index)
-        normals.push_back(m_face_normals[across / 3]);
+      if(m_is_crease[m_mesh.opposite_edge(opposite)])
+        if(const Index across = m_mesh.corner_across(opposite); across != no_index)
+          normals.push_back(m_face_normals[across / 3]);
   }
 
   const Mesh_arrays& m_mesh;

@@ -38,21 +38,30 @@ bool has_value_for(const Map& map, const Key& key)
 
 // Calls f(c, h) for each corner c of the mesh, where h is the halfedge in its face that points to it.
 template <typename TriangleMesh, typename F>
-void for_each_corner_halfedge(const TriangleMesh& tmesh, const Mesh_descriptors<TriangleMesh>& descriptors, const F& f)
+void for_each_corner_halfedge(const TriangleMesh& tmesh,
+                              const Mesh_arrays& mesh,
+                              const Mesh_descriptors<TriangleMesh>& descriptors,
+                              const F& f)
 {
-  std::size_t corner = 0;
-  for(auto first : descriptors.halfedges)
-    for(auto h : halfedges_around_face(first, tmesh))
-      f(corner++, h);
+  for(std::size_t c = 0; c < 3 * mesh.number_of_faces(); c += 3)
+  {
+    const auto halfedges = corner_halfedges(tmesh, mesh, descriptors, c / 3);
+    for(std::size_t k = 0; k < 3; ++k)
+      f(c + k, halfedges[k]);
+  }
 }
 
 // whether a map of the vertices or of the corners has values for all of them
 template <typename TriangleMesh, typename Map>
-bool has_all_values(const TriangleMesh& tmesh, const Mesh_descriptors<TriangleMesh>& descriptors, const Map& map)
+bool has_all_values(const TriangleMesh& tmesh,
+                    const Mesh_arrays& mesh,
+                    const Mesh_descriptors<TriangleMesh>& descriptors,
+                    const Map& map)
 {
   bool has_all = true;
   if constexpr(Is_corner_map<TriangleMesh, Map>::value)
-    for_each_corner_halfedge(tmesh, descriptors, [&](std::size_t, auto h) { has_all = has_all && has_value_for(map, h); });
+    for_each_corner_halfedge(tmesh, mesh, descriptors,
+                             [&](std::size_t, auto h) { has_all = has_all && has_value_for(map, h); });
   else
     for(auto v : descriptors.vertices)
       has_all = has_all && has_value_for(map, v);
@@ -69,7 +78,7 @@ std::vector<T> read_corner_values(const TriangleMesh& tmesh,
 {
   std::vector<T> values(3 * mesh.number_of_faces());
   if constexpr(Is_corner_map<TriangleMesh, Map>::value)
-    for_each_corner_halfedge(tmesh, descriptors, [&](std::size_t c, auto h) { values[c] = convert(get(map, h)); });
+    for_each_corner_halfedge(tmesh, mesh, descriptors, [&](std::size_t c, auto h) { values[c] = convert(get(map, h)); });
   else
     for(std::size_t c = 0; c < values.size(); ++c)
       values[c] = convert(get(map, descriptors.vertices[mesh.vertex(static_cast<Index>(c))]));
@@ -79,13 +88,14 @@ std::vector<T> read_corner_values(const TriangleMesh& tmesh,
 // Writes at_corner(c) for each corner c to a map of the corners, or at_vertex(i) for each vertex i to one of the vertices.
 template <typename TriangleMesh, typename Map, typename AtCorner, typename AtVertex>
 void write_values(const TriangleMesh& tmesh,
+                  const Mesh_arrays& mesh,
                   const Mesh_descriptors<TriangleMesh>& descriptors,
                   Map& map,
                   const AtCorner& at_corner,
                   const AtVertex& at_vertex)
 {
   if constexpr(Is_corner_map<TriangleMesh, Map>::value)
-    for_each_corner_halfedge(tmesh, descriptors, [&](std::size_t c, auto h) { put(map, h, at_corner(c)); });
+    for_each_corner_halfedge(tmesh, mesh, descriptors, [&](std::size_t c, auto h) { put(map, h, at_corner(c)); });
   else
     for(std::size_t i = 0; i < descriptors.vertices.size(); ++i)
       put(map, descriptors.vertices[i], at_vertex(i));

@@ -6,9 +6,10 @@
 #ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_MEASURE_ATTRIBUTE_H
 #define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_MEASURE_ATTRIBUTE_H
 
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Attributes/face_lattice.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Attributes/Map_signal.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Attributes/face_lattice.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Measure/measure_error.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/Polygon_centers.h>
 
 #include <algorithm>
 #include <array>
@@ -29,10 +30,11 @@ Error_sum measure_attribute(const Mesh_arrays& mesh,
   const auto& reference = signal.reference();
   const auto vertex_feet = project_vertices<ConcurrencyTag>(mesh.points, reference);
   const std::size_t pieces = number_of_pieces(static_cast<double>(number_of_points));
+  const Polygon_centers center(mesh);
   std::vector<Face_error> faces(mesh.number_of_faces());
   for_each_index<ConcurrencyTag>(faces.size(), [&](std::size_t f) {
     const std::array<Point, 3> t = mesh.triangle(f);
-    const auto anchor = reference.project(mesh.barycenter(f), vertex_feet[mesh.first_vertex(f)]);
+    const auto anchor = reference.project(center(f), vertex_feet[mesh.first_vertex(f)]);
     auto sampler = signal.make_face_sampler(f, anchor, 0); // closest points, all of them
     const auto difference = [&](const Coordinates& x) {
       const auto there = signal.sample(sampler, point_at(t, x));

@@ -8,8 +8,9 @@
 
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Attributes/face_lattice.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Measure/sample_faces.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/for_each_index.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/Mesh_arrays.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/Polygon_centers.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/for_each_index.h>
 
 #include <array>
 #include <cmath>
@@ -64,21 +65,22 @@ public:
     samples.is_seam = is_seam;
     if(m_signal.has_seams())
       for_each_index<ConcurrencyTag>(m_mesh.edges.size(), [&](std::size_t e) {
-        if(!is_seam[e] && !m_mesh.is_border(e) && is_between_sides(e))
+        if(!is_seam[e] && !m_mesh.is_border(e) && !m_mesh.is_diagonal(e) && is_between_sides(e))
           samples.is_seam[e] = 1;
       });
     return samples;
   }
 
 private:
-  // the feet of the vertices and of the barycenters
+  // the feet of the vertices and of the centers
   template <typename ConcurrencyTag>
   void find_feet()
   {
     m_vertex_feet = project_vertices<ConcurrencyTag>(m_mesh.points, m_signal.reference());
+    const Polygon_centers center(m_mesh);
     m_anchors.resize(m_mesh.number_of_faces());
     for_each_index<ConcurrencyTag>(m_anchors.size(), [&](std::size_t f) {
-      m_anchors[f] = m_signal.reference().project(m_mesh.barycenter(f), m_vertex_feet[m_mesh.first_vertex(f)]);
+      m_anchors[f] = m_signal.reference().project(center(f), m_vertex_feet[m_mesh.first_vertex(f)]);
     });
   }
 
@@ -89,7 +91,7 @@ private:
     double area = m_signal.reference().area_at(m_anchors[f]);
     for(Index i : m_mesh.face(f))
       area += m_signal.reference().area_at(m_vertex_feet[i]);
-    const double faces_of_reference = area > 0 ? m_mesh.area(f) / (area / 4) : 1;
+    const double faces_of_reference = area > 0 ? m_mesh.triangle_area(f) / (area / 4) : 1;
     return number_of_pieces(std::isfinite(faces_of_reference) ? faces_of_reference / 2 : 1);
   }
 
@@ -111,7 +113,7 @@ private:
   auto make_face_sampler(std::size_t f) const
   {
     constexpr double far = 0.05; // relative to the edge length
-    return m_signal.make_face_sampler(f, m_anchors[f], far * std::sqrt(2 * m_mesh.area(f)));
+    return m_signal.make_face_sampler(f, m_anchors[f], far * std::sqrt(2 * m_mesh.triangle_area(f)));
   }
 
   void sample_face(std::size_t f, Signal_samples<Value>& samples)
@@ -138,7 +140,7 @@ private:
   const Mesh_arrays& m_mesh;
   const Signal& m_signal;
   std::vector<Foot> m_vertex_feet;
-  std::vector<Foot> m_anchors; // the feet of the barycenters
+  std::vector<Foot> m_anchors; // the feet of the centers of the polygons
 };
 
 template <typename ConcurrencyTag, typename Signal>

@@ -31,9 +31,9 @@ Result with_described_reference(
   }
   else
   {
-    Mesh_descriptors<Reference> descriptors;
-    const Default_reference_surface surface(reference, np, descriptors, ConcurrencyTag());
-    return unless_empty(surface.patches(), Patch_descriptors<Reference>(reference, descriptors));
+    Patch_descriptors<Reference> descriptors;
+    const Default_reference_surface surface(reference, np, &descriptors, ConcurrencyTag());
+    return unless_empty(surface.patches(), descriptors);
   }
 }
 

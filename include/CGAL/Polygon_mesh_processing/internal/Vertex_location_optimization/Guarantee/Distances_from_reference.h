@@ -20,7 +20,8 @@
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
-// A point of the reference from which the remesh is too far away, and where the remesh is closest to it.
+// A point of the reference from which the remesh is too far away, and where the remesh, or what surrounds it, is closest to
+// it: faces of `make_face_tree()`.
 struct Distant_sample
 {
   Index initial_face; // with the vertices at the initial points

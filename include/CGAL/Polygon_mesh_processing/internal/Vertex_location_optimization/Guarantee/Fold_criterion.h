@@ -21,6 +21,10 @@ namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 // A face violates it if one of its edges is a spike: folded more sharply than all edges at its two ends were at first, and
 // than the reference turns under its two faces. `ReferenceNormals` is a functor f -> normals of the reference under face f.
 // A model of the criteria of `shorten_moves()`.
+//
+// At an edge between polygons several triangles of their fans meet, whose folds differ as little as the polygons are planar.
+// The two of `edge_corners` stand for all of them, and are those that violate the criterion. A diagonal is no fold: how far a
+// polygon is from planar is none of its concern.
 template <typename ReferenceNormals>
 class Fold_criterion
 {
@@ -29,7 +33,7 @@ public:
     : m_remesh(remesh), m_reference_normals(reference_normals), m_sharpest(remesh.points.size(), 1)
   {
     for(Index e = 0; e < remesh.edges.size(); ++e)
-      if(!remesh.is_border(e))
+      if(may_fold(e))
       {
         const double cosine = cosine_of_fold(e, remesh.initial_points);
         for(Index i : remesh.edges[e])
@@ -40,15 +44,22 @@ public:
   bool is_violated_by(std::size_t f) const
   {
     const std::array<Index, 3>& edges = m_remesh.face_edges[f];
-    return std::any_of(edges.begin(), edges.end(), [&](Index e) { return is_spike(e); });
+    return std::any_of(edges.begin(), edges.end(), [&](Index e) { return folds_at(f, e) && is_spike(e); });
   }
 
 private:
+  bool may_fold(Index e) const { return !m_remesh.is_border(e) && !m_remesh.is_diagonal(e); }
+
+  // whether face f, at edge e, is one of the two between which the fold is measured
+  bool folds_at(std::size_t f, Index e) const
+  {
+    const auto [c, d] = m_remesh.edge_corners[e];
+    return may_fold(e) && (c / 3 == f || d / 3 == f);
+  }
+
   bool is_spike(Index e) const
   {
     constexpr double slack = CGAL_PI / 36, margin = CGAL_PI / 18; // 5 and 10 degrees, the latter for what is between samples
-    if(m_remesh.is_border(e))
-      return false;
     const double cosine = cosine_of_fold(e, m_remesh.next_points);
     if(cosine >= 0) // less than a right angle is no spike
       return false;

@@ -262,7 +262,8 @@ private:
   {
     Indices result;
     for(Index f : faces)
-      result.insert(result.end(), m_remesh.face(f).begin(), m_remesh.face(f).end());
+      if(f < m_remesh.number_of_faces()) // not of the surroundings
+        result.insert(result.end(), m_remesh.face(f).begin(), m_remesh.face(f).end());
     return result;
   }
 

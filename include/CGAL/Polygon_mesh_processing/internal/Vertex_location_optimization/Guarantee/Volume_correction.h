@@ -22,7 +22,7 @@ inline double enclosed_volume(const Remesh& remesh, const std::vector<Point>& po
   const Point& apex = remesh.initial_points.front();
   double sum = 0;
   for(std::size_t f = 0; f < remesh.number_of_faces(); ++f)
-    sum += (points[remesh.first_vertex(f)] - apex) * remesh.area_normal(f, points);
+    sum += remesh.weight(f) * ((points[remesh.first_vertex(f)] - apex) * remesh.area_normal(f, points));
   return sum / 6;
 }
 
@@ -45,7 +45,7 @@ public:
     for(std::size_t f = 0; f < remesh.number_of_faces(); ++f)
       for(Index i : remesh.face(f))
         if(can_move(i))
-          m_directions[i] = m_directions[i] + remesh.area_normal(f, points);
+          m_directions[i] = m_directions[i] + remesh.weight(f) * remesh.area_normal(f, points);
     for(Vector& direction : m_directions)
       direction = normalized(direction);
   }
@@ -82,7 +82,7 @@ private:
     double sum = 0;
     for(std::size_t f = 0; f < m_remesh.number_of_faces(); ++f)
       for(Index i : m_remesh.face(f))
-        sum += m_remesh.area_normal(f, m_points) * m_directions[i];
+        sum += m_remesh.weight(f) * (m_remesh.area_normal(f, m_points) * m_directions[i]);
     return sum / 6;
   }
 

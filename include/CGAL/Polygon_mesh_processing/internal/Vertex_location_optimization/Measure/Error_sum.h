@@ -6,9 +6,13 @@
 #ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_ERROR_SUM_H
 #define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_ERROR_SUM_H
 
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/for_each_index.h>
+
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <vector>
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
@@ -53,6 +57,13 @@ struct Error_sum
   double mean() const { return mean_of(distance, area); }
   double rms() const { return std::sqrt(mean_of(squared_distance, area)); }
 };
+
+// The distance of all these faces; `Face` is a `Face_error`.
+template <typename ConcurrencyTag, typename Face>
+Error_sum sum_of_faces(const std::vector<Face>& faces)
+{
+  return sum_over_indices<ConcurrencyTag, Error_sum>(faces.size(), [&](std::size_t f) { return Error_sum(faces[f]); });
+}
 
 } // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
 

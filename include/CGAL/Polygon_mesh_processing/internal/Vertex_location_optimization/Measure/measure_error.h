@@ -47,7 +47,7 @@ public:
   template <typename ConcurrencyTag>
   Error_sum sum() const
   {
-    return sum_over_indices<ConcurrencyTag, Error_sum>(faces.size(), [&](std::size_t f) { return Error_sum(faces[f]); });
+    return sum_of_faces<ConcurrencyTag>(faces);
   }
 
   std::vector<Foot> vertex_feet;
@@ -176,17 +176,32 @@ Error_measure<Reference> measure_error(const Mesh_arrays& mesh,
   return measure;
 }
 
-// The mean distance over the faces around each vertex; the distance of the vertex itself if they have no area.
+// the distance of each polygon to the reference
+inline std::vector<Face_error> errors_of_polygons(const Mesh_arrays& mesh, const std::vector<Face_measurement>& faces)
+{
+  if(!mesh.has_polygons())
+    return { faces.begin(), faces.end() };
+  std::vector<Error_sum> sums(mesh.number_of_polygons());
+  for(std::size_t f = 0; f < faces.size(); ++f)
+    sums[mesh.polygon(f)] += faces[f];
+  std::vector<Face_error> errors;
+  errors.reserve(sums.size());
+  for(const Error_sum& sum : sums)
+    errors.push_back({ sum.area, sum.mean(), mean_of(sum.squared_distance, sum.area), sum.max });
+  return errors;
+}
+
+// The mean distance over the polygons around each vertex; the distance of the vertex itself if they have no area.
 template <typename ConcurrencyTag, typename Reference>
 std::vector<double> mean_around_vertices(const Mesh_arrays& mesh,
                                          const Reference& reference,
                                          const std::vector<typename Reference::Foot>& vertex_feet,
-                                         const std::vector<Face_measurement>& faces)
+                                         const std::vector<Face_error>& polygons)
 {
   std::vector<Error_sum> sums(mesh.points.size());
-  for(std::size_t f = 0; f < faces.size(); ++f)
-    for(Index i : mesh.face(f))
-      sums[i] += faces[f];
+  for(Index c = 0; c < 3 * mesh.number_of_faces(); ++c)
+    if(mesh.ear(c) == c)
+      sums[mesh.vertex(c)] += polygons[mesh.polygon(c / 3)];
 
   std::vector<double> means(mesh.points.size());
   for_each_index<ConcurrencyTag>(means.size(), [&](std::size_t i) {

@@ -82,7 +82,7 @@ double measure_corner_normals(const Mesh_arrays& mesh,
                       face.area += 1;
                     });
 
-    const double area_of_sample = mesh.area(f) / count;
+    const double area_of_sample = mesh.area(f) / static_cast<double>(count);
     return Angle_integral{ area_of_sample * face.area, area_of_sample * face.angle };
   });
   if(sum.area == 0)
@@ -94,7 +94,7 @@ double measure_corner_normals(const Mesh_arrays& mesh,
 template <typename ConcurrencyTag>
 std::vector<Vector> face_normals_at_corners(const Mesh_arrays& mesh)
 {
-  const std::vector<Vector> face_normals = compute_face_normals<ConcurrencyTag>(mesh);
+  const std::vector<Vector> face_normals = compute_polygon_normals<ConcurrencyTag>(mesh);
   std::vector<Vector> normals(3 * mesh.number_of_faces());
   for_each_index<ConcurrencyTag>(normals.size(), [&](std::size_t c) { normals[c] = face_normals[c / 3]; });
   return normals;

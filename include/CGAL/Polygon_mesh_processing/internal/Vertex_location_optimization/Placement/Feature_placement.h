@@ -6,11 +6,13 @@
 #ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_FEATURE_PLACEMENT_H
 #define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_FEATURE_PLACEMENT_H
 
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Placement/find_corner_vertices.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Placement/springs.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/Feature_curves.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Remesh.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/for_each_index.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -26,6 +28,7 @@ class Feature_placement
     Index edge;
     Feature_curves::Foot midpoint_foot;
     bool has_foot = false;
+    bool is_at_corner = false; // whether one of its ends is a corner vertex
   };
 
   // a vertex with two constrained edges that pass straight through it
@@ -42,8 +45,12 @@ public:
   {
     if(curves.empty())
       return;
+    m_corner_vertices = find_corner_vertices(curves, remesh);
     for(Index e : remesh.constraints.edges)
-      m_edges.push_back({ e, Feature_curves::Foot() });
+    {
+      const std::array<Index, 2>& ends = remesh.edges[e];
+      m_edges.push_back({ e, Feature_curves::Foot(), false, is_corner_vertex(ends[0]) || is_corner_vertex(ends[1]) });
+    }
     find_curve_vertices(remesh);
   }
 
@@ -69,10 +76,13 @@ public:
   }
 
   // The fit along the curves: the best line through a parabola, p_i,e = (2 p_i - p_j + 2 m_ij) / 3, weighted by the
-  // lengths of the edges. If `across_curve`, only the part of the update across the curve is taken.
+  // lengths of the edges. If `across_curve`, only the part of the update across the curve is taken. Corner vertices go to
+  // their corners.
   template <typename ConcurrencyTag>
   void place(Remesh& remesh, const bool across_curve)
   {
+    for(const Corner_vertex& v : m_corner_vertices)
+      remesh.next_points[v.vertex] = v.corner;
     for_each_index<ConcurrencyTag>(m_curve_vertices.size(), [&](std::size_t k) {
       Curve_vertex& v = m_curve_vertices[k];
       v.tangent = NULL_VECTOR;
@@ -127,6 +137,13 @@ public:
   }
 
 private:
+  bool is_corner_vertex(const Index i) const
+  {
+    const auto is_less = [](const Corner_vertex& v, Index j) { return v.vertex < j; };
+    const auto v = std::lower_bound(m_corner_vertices.begin(), m_corner_vertices.end(), i, is_less);
+    return v != m_corner_vertices.end() && v->vertex == i;
+  }
+
   void find_curve_vertices(const Remesh& remesh)
   {
     std::vector<std::vector<Index>> edges_of_vertex(remesh.points.size());
@@ -136,7 +153,7 @@ private:
 
     for(Index i = 0; i < remesh.points.size(); ++i)
     {
-      if(remesh.constraints.kinds[i] != Vertex_kind::ON_CURVE || edges_of_vertex[i].size() != 2)
+      if(remesh.constraints.kinds[i] != Vertex_kind::ON_CURVE || edges_of_vertex[i].size() != 2 || is_corner_vertex(i))
         continue;
       Curve_vertex v{ i, { edges_of_vertex[i][0], edges_of_vertex[i][1] }, {} };
       for(int side = 0; side < 2; ++side)
@@ -150,14 +167,16 @@ private:
     }
   }
 
-  // The foot of the midpoint of an edge. The first one decides which curve the edge follows; there is none where the
-  // edge goes another way than the curve, beyond its end, or farther from it than a quarter of its length.
+  // The foot of the midpoint of an edge. The first one decides which curve the edge follows, unless it cuts off a corner that
+  // one of its ends is on the way to; there is none where the edge goes another way than the curve, beyond its end, or farther
+  // from it than a quarter of its length.
   void find_midpoint_foot(const Remesh& remesh, Feature_edge& edge) const
   {
     const Point &p = remesh.points[remesh.edges[edge.edge][0]], &q = remesh.points[remesh.edges[edge.edge][1]];
     const Point m = midpoint(p, q);
     Feature_curves::Foot& foot = edge.midpoint_foot;
-    foot = foot.patch == no_index ? m_curves.project(m) : m_curves.project_along(m, foot);
+    const bool is_undecided = foot.patch == no_index || (edge.is_at_corner && !edge.has_foot);
+    foot = is_undecided ? m_curves.project(m) : m_curves.project_along(m, foot);
 
     const Vector along = q - p;
     edge.has_foot = !m_curves.is_end(foot) && 16 * squared_distance(m, m_curves.point(foot)) < along.squared_length() &&
@@ -167,6 +186,7 @@ private:
   const Feature_curves& m_curves;
   std::vector<Feature_edge> m_edges;
   std::vector<Curve_vertex> m_curve_vertices;
+  std::vector<Corner_vertex> m_corner_vertices; // by increasing indices
 };
 
 } // namespace CGAL::Polygon_mesh_processing::internal::vertex_location

@@ -33,8 +33,8 @@ inline Optimization_options least_squares_defaults()
 struct Vertex_equations
 {
   Normal_equations of_faces;
-  double area = 0; // of these faces
-  std::size_t number_of_faces = 0;
+  double area = 0;            // of these faces
+  double number_of_faces = 0; // the sum of their weights
 
   Vertex_equations& operator+=(const Vertex_equations& other)
   {
@@ -63,7 +63,7 @@ public:
 
   Initial_measure start() override
   {
-    if(m_keeps_shapes)
+    if(m_keeps_shapes && !m_remesh.has_polygons()) // quads are not measured by the angles of their triangles
       m_regularity = measure_regularity(m_remesh);
     else
       m_regularity.assign(m_remesh.points.size(), 1);
@@ -169,20 +169,28 @@ private:
         for(int k = 0; k < 3; ++k)
           equations[k].add(of_sample, lambda[k]);
       });
-    return { { { equations[0], area, 1 }, { equations[1], area, 1 }, { equations[2], area, 1 } } };
+    const double weight = m_remesh.weight(f);
+    return { { { equations[0], area, weight }, { equations[1], area, weight }, { equations[2], area, weight } } };
   }
 
-  // where the faces at vertex i would become more regular
+  // where the polygons at vertex i would become more regular
   Vector pull(const std::size_t i, const Vertex_equations& of_vertex) const
   {
     Vector sum = NULL_VECTOR;
+    double number_of_polygons = 0;
     const double mean_area = of_vertex.area / of_vertex.number_of_faces;
     const double side = std::sqrt(mean_area * 4 / std::sqrt(3.)); // if the faces were equilateral
     m_remesh.for_each_corner(i, [&](Index c) {
-      sum = sum + pull_to_regular(m_remesh.points[i], m_remesh.points[m_remesh.vertex(Mesh_arrays::next(c))],
-                                  m_remesh.points[m_remesh.vertex(Mesh_arrays::previous(c))], side);
+      if(m_remesh.ear(c) != c)
+        return;
+      const Point &v = m_remesh.points[i], &p = m_remesh.points[m_remesh.vertex(Mesh_arrays::next(c))],
+                  &q = m_remesh.points[m_remesh.vertex(Mesh_arrays::previous(c))];
+      sum = sum + (m_remesh.weight(c / 3) == 1
+                     ? pull_to_regular(v, p, q, side)
+                     : pull_to_regular_polygon(v, p, q, m_samples.vertices.normal(i), m_remesh.weight(c / 3)));
+      ++number_of_polygons;
     });
-    return sum / of_vertex.number_of_faces;
+    return sum / number_of_polygons;
   }
 
   // All faces weigh the same here, as in the mean of their angles. Where M_0 is irregular its shapes are kept rather than made

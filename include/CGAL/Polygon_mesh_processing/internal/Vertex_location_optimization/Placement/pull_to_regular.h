@@ -46,6 +46,23 @@ inline Vector pull_to_regular(const Point& v, const Point& p, const Point& q, co
          (angle_part * square(length) / sum_of_weights) * gradient;
 }
 
+// The same for v and its neighbors p and q in a polygon of more than three corners, whose fans give the ear v, p, q the weight
+// 2 / n: the way to the apex of the ear of a regular polygon, on the outer side of pq as seen along the normal.
+inline Vector
+pull_to_regular_polygon(const Point& v, const Point& p, const Point& q, const Vector& normal, const double weight_of_ear)
+{
+  constexpr double apex_part = 1. / 4; // as for a triangle
+
+  const Vector side = q - p, from_p = v - p, from_q = v - q;
+  const Vector ear_normal = normalized(cross_product(side, from_p));
+  const double length = norm(side);
+  if(ear_normal == NULL_VECTOR)
+    return NULL_VECTOR;
+  const Vector up = ear_normal * normal < 0 ? -ear_normal : ear_normal; // the corner may be a notch
+  const Vector to_apex = (std::tan(CGAL_PI * weight_of_ear / 2) / 2) * cross_product(up, side) - (from_p + from_q) / 2;
+  return (apex_part / (1 + 3 * norm(to_apex) / length)) * to_apex;
+}
+
 } // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
 
 #endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_PULL_TO_REGULAR_H

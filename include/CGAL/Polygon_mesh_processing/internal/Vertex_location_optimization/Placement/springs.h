@@ -49,8 +49,9 @@ void relax_springs(Remesh& remesh, const std::size_t number_of_steps, const Stre
 
       Vector force = NULL_VECTOR;
       remesh.for_each_corner(i, [&](Index c) {
-        // around an inner vertex each neighbor follows it in one face
-        force = force + Spring::force(p - remesh.next_points[remesh.vertex(Mesh_arrays::next(c))], remesh.lengths[i]);
+        // around an inner vertex each neighbor follows it in one polygon
+        if(remesh.ear(c) == c)
+          force = force + Spring::force(p - remesh.next_points[remesh.vertex(Mesh_arrays::next(c))], remesh.lengths[i]);
       });
       const Vector& n = normal(i);
       relaxed[i] = p + strength(i) * (force - (force * n) * n);

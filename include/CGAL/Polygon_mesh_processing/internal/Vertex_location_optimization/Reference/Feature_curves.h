@@ -104,6 +104,14 @@ class Feature_curves
 public:
   using Foot = Patch_foot; // a piece and its coordinate u
 
+  // where curves meet
+  struct Corner
+  {
+    Point point;
+    std::size_t number_of_curves; // two or more
+    double length;                // of the shortest of them
+  };
+
   Feature_curves() = default;
 
   // `is_feature(e)` tells the features among the edges of `mesh`, `piece(e)` is the curve over edge e from edges[e][0] to
@@ -115,18 +123,24 @@ public:
     const std::vector<Index> continuation = find_continuations(mesh, ends);
     std::vector<Curve_piece> pieces;
     std::vector<char> is_done(mesh.edges.size(), 0);
-    const auto follow = [&](Index from_end) // the curve that starts at this end of an edge
+    std::vector<double> lengths(mesh.edges.size(), 0); // of the curves of which edges are the first or last
+    const auto follow = [&](Index from_end)            // the curve that starts at this end of an edge
     {
       const Index first = static_cast<Index>(pieces.size());
+      double length = 0;
+      Index last = from_end;
       for(Index end = from_end; end != no_index && !is_done[end / 2]; end = continuation[end ^ 1])
       {
         is_done[end / 2] = 1;
+        last = end;
+        length += norm(mesh.points[mesh.edges[end / 2][1]] - mesh.points[mesh.edges[end / 2][0]]);
         const Index i = static_cast<Index>(pieces.size());
         pieces.push_back(end % 2 == 0 ? piece(end / 2) : piece(end / 2).reversed());
         m_curve.push_back(first);
         m_next.push_back(i + 1);
         m_previous.push_back(i == first ? no_index : i - 1);
       }
+      lengths[from_end / 2] = lengths[last / 2] = length;
       const bool is_closed = continuation[from_end] != no_index;
       m_next.back() = is_closed ? first : no_index;
       if(is_closed)
@@ -137,12 +151,14 @@ public:
         if(!is_done[end / 2] && (is_closed || continuation[end] == no_index))
           follow(end);
     m_pieces = Patch_tree<Curve_piece>(std::move(pieces));
+    find_corners(mesh, ends, continuation, lengths);
   }
 
   // whether a curve that leaves a vertex in the directions u and v passes through it rather than having a corner there
   static bool goes_straight_through(const Vector& u, const Vector& v) { return u * v < -0.5 * norm(u) * norm(v); }
 
   bool empty() const { return m_pieces.empty(); }
+  const std::vector<Corner>& corners() const { return m_corners; }
   Index curve(const Foot& foot) const { return m_curve[foot.patch]; }
   Point point(const Foot& foot) const { return m_pieces.point(foot); }
   Vector tangent(const Foot& foot) const { return normalized(m_pieces.patch(foot.patch).derivative(foot.coordinates.u)); }
@@ -215,7 +231,25 @@ private:
     return continuation;
   }
 
+  void find_corners(const Mesh_arrays& mesh,
+                    const std::vector<Edge_end>& ends,
+                    const std::vector<Index>& continuation,
+                    const std::vector<double>& lengths)
+  {
+    for(std::size_t first = 0, last; first < ends.size(); first = last)
+    {
+      for(last = first; last < ends.size() && ends[last].first == ends[first].first;)
+        ++last;
+      if(last - first < 2 || continuation[ends[first].second] != no_index)
+        continue;
+      m_corners.push_back({ mesh.points[ends[first].first], last - first, (std::numeric_limits<double>::max)() });
+      for(std::size_t k = first; k < last; ++k)
+        m_corners.back().length = (std::min)(m_corners.back().length, lengths[ends[k].second / 2]);
+    }
+  }
+
   Patch_tree<Curve_piece> m_pieces;
+  std::vector<Corner> m_corners;
   std::vector<Index> m_curve; // of each piece: the first piece of its curve
   std::vector<Index> m_next, m_previous;
 };

@@ -8,6 +8,7 @@
 
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/read_mesh.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/boost/graph/iterator.h>
 
 #include <algorithm>
@@ -33,24 +34,24 @@ public:
 
   Patch_descriptors() = default;
 
-  Patch_descriptors(const TriangleMesh& tmesh, const Mesh_descriptors<TriangleMesh>& descriptors)
+  Patch_descriptors(const TriangleMesh& tmesh, const Mesh_arrays& mesh, const Mesh_descriptors<TriangleMesh>& descriptors)
   {
-    const std::size_t n = descriptors.halfedges.size();
+    const std::size_t n = mesh.number_of_faces();
     m_faces.reserve(n);
     m_corners.reserve(n);
     m_vertices.reserve(n);
     m_first_corners.reserve(n);
-    for(const halfedge_descriptor first : descriptors.halfedges)
+    for(std::size_t f = 0; f < n; ++f)
     {
-      const halfedge_descriptor second = next(first, tmesh), third = next(second, tmesh);
-      m_faces.push_back(face(first, tmesh));
-      m_corners.push_back({ first, second, third });
-      m_vertices.push_back({ target(first, tmesh), target(second, tmesh), target(third, tmesh) });
+      const std::array<halfedge_descriptor, 3> corners = corner_halfedges(tmesh, mesh, descriptors, f);
+      m_faces.push_back(face(corners[0], tmesh));
+      m_corners.push_back(corners);
+      m_vertices.push_back({ target(corners[0], tmesh), target(corners[1], tmesh), target(corners[2], tmesh) });
       // the first coordinate of a location is that of the source of the halfedge of the face
-      const std::array<halfedge_descriptor, 3>& corners = m_corners.back();
       const halfedge_descriptor to_source = prev(halfedge(m_faces.back(), tmesh), tmesh);
       const auto first_corner = std::find(corners.begin(), corners.end(), to_source);
-      m_first_corners.push_back(static_cast<unsigned char>(first_corner - corners.begin()));
+      const bool is_triangle = next(corners[2], tmesh) == corners[0];
+      m_first_corners.push_back(static_cast<unsigned char>(is_triangle ? first_corner - corners.begin() : in_polygon));
     }
   }
 
@@ -61,9 +62,10 @@ public:
   const vertex_descriptor& vertex(std::size_t patch, int k) const { return m_vertices[patch][k]; }
   const halfedge_descriptor& corner(std::size_t patch, int k) const { return m_corners[patch][k]; }
 
-  // the location with these barycentric coordinates with respect to the corners of the patch
+  // the location in a face that is a triangle, with these barycentric coordinates with respect to the corners of the patch
   Face_location location(std::size_t patch, const std::array<double, 3>& coordinates) const
   {
+    CGAL_precondition_msg(m_first_corners[patch] != in_polygon, "The face is not a triangle.");
     Face_location result;
     result.first = m_faces[patch];
     for(int k = 0; k < 3; ++k)
@@ -72,10 +74,12 @@ public:
   }
 
 private:
+  static constexpr int in_polygon = 3;
+
   std::vector<face_descriptor> m_faces;
   std::vector<std::array<halfedge_descriptor, 3>> m_corners;
   std::vector<std::array<vertex_descriptor, 3>> m_vertices;
-  std::vector<unsigned char> m_first_corners;
+  std::vector<unsigned char> m_first_corners; // of the faces; `in_polygon`: it is not a triangle
 };
 
 } // namespace CGAL::Polygon_mesh_processing::internal::vertex_location

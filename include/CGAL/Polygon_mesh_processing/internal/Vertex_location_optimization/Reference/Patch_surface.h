@@ -64,15 +64,12 @@ public:
 protected:
   template <typename NamedParameters, typename ConcurrencyTag>
   Patch_surface(const TriangleMesh& tmesh, const NamedParameters& np, const ConcurrencyTag&)
-  {
-    Mesh_descriptors<TriangleMesh> descriptors;
-    m_patches = make_reference_patches<Patch, ConcurrencyTag>(tmesh, np, descriptors);
-    m_descriptors = Patch_descriptors<TriangleMesh>(tmesh, descriptors);
-  }
+    : m_patches(make_reference_patches<Patch, ConcurrencyTag>(tmesh, np, &m_descriptors))
+  {}
 
 private:
-  Reference_patches<Patch> m_patches;
   Patch_descriptors<TriangleMesh> m_descriptors;
+  Reference_patches<Patch> m_patches;
 };
 
 } // namespace CGAL::Polygon_mesh_processing::internal::vertex_location

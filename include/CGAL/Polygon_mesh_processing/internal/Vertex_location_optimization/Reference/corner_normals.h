@@ -7,6 +7,7 @@
 #define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_CORNER_NORMALS_H
 
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/for_each_index.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/Index_groups.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/Mesh_arrays.h>
 
 #include <algorithm>
@@ -21,6 +22,21 @@ std::vector<Vector> compute_face_normals(const Mesh_arrays& mesh)
   std::vector<Vector> normals(mesh.number_of_faces());
   for_each_index<ConcurrencyTag>(mesh.number_of_faces(),
                                  [&](std::size_t f) { normals[f] = normalized(mesh.area_normal(f)); });
+  return normals;
+}
+
+// The same, but the faces of a polygon have that of the polygon.
+template <typename ConcurrencyTag>
+std::vector<Vector> compute_polygon_normals(const Mesh_arrays& mesh)
+{
+  if(!mesh.has_polygons())
+    return compute_face_normals<ConcurrencyTag>(mesh);
+  std::vector<Vector> sums(mesh.number_of_polygons(), NULL_VECTOR);
+  for(std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+    sums[mesh.polygon(f)] = sums[mesh.polygon(f)] + mesh.weight(f) * mesh.area_normal(f);
+  std::vector<Vector> normals;
+  for(std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+    normals.push_back(normalized(sums[mesh.polygon(f)]));
   return normals;
 }
 
@@ -40,22 +56,28 @@ std::vector<char> detect_creases(const Mesh_arrays& mesh, const std::vector<Vect
   return is_crease;
 }
 
-// The corners around a vertex, in sectors that creases and borders end.
+// The corners around a vertex, in sectors that creases and borders end. All corners of a polygon at a vertex are in the same.
 class Sectors
 {
 public:
-  Sectors(const Mesh_arrays& mesh, const std::vector<char>& is_crease) : m_mesh(mesh), m_is_crease(is_crease) {}
+  Sectors(const Mesh_arrays& mesh, const std::vector<char>& is_crease)
+    : m_mesh(mesh), m_is_crease(is_crease),
+      m_corners_of_ears(mesh.ears.size(), mesh.ears.size(), [&](Index corner) { return mesh.ear(corner); })
+  {}
 
   // Calls f(c) for each corner c of the sector of `corner`, in an order that is the same for all of them: from its end
   // or, if it is a full turn, from its smallest corner.
   template <typename F>
   void for_each_corner(const Index corner, const F& f) const
   {
-    const Index first = first_corner(corner);
+    const Index first = first_corner(m_mesh.ear(corner));
     Index c = first;
     do
     {
-      f(c);
+      if(m_mesh.has_polygons())
+        m_corners_of_ears.for_each(c, f);
+      else
+        f(c);
       c = next(c);
     }
     while(c != no_index && c != first);
@@ -88,6 +110,7 @@ private:
 
   const Mesh_arrays& m_mesh;
   const std::vector<char>& m_is_crease;
+  const Index_groups m_corners_of_ears; // if there are polygons
 };
 
 } // namespace CGAL::Polygon_mesh_processing::internal::vertex_location

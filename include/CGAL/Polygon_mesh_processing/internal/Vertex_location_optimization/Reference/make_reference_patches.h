@@ -9,10 +9,11 @@
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/boundary_curves.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/corner_normals.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/Flat_triangle.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/Patch_descriptors.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/PN_triangle.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/read_reference_mesh.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/Reference_patches.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/named_parameters.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/read_mesh.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/read_parameters.h>
 
 #include <array>
@@ -48,7 +49,7 @@ std::vector<char> find_creases(const Mesh_arrays& mesh,
   {
     const auto is_constrained = get_parameter(np, internal_np::edge_is_constrained);
     for(std::size_t e = 0; e < mesh.edges.size(); ++e)
-      if(get(is_constrained, descriptors.edges[e]))
+      if(!mesh.is_diagonal(e) && get(is_constrained, descriptors.edges[e]))
         is_crease[e] = 1;
   }
   return is_crease;
@@ -108,18 +109,22 @@ inline bool is_recognizably_smooth(const Mesh_arrays& mesh, const std::vector<ch
   return length_of_creases <= largest_part * length;
 }
 
-// The reference surface of `tmesh`, whose faces are the patches; an empty one if `tmesh` is unsuitable. If
-// `flat_unless_smooth`, the patches of a mesh that is not recognizably smooth are flat.
+// The reference surface of `tmesh`, whose faces are the patches, or triangles of them; an empty one if `tmesh` is unsuitable.
+// If `flat_unless_smooth`, the patches of a mesh that is not recognizably smooth are flat. Describes the patches if
+// `patch_descriptors` is not null.
 template <typename Patch, typename ConcurrencyTag, typename TriangleMesh, typename NamedParameters>
 Reference_patches<Patch> make_reference_patches(const TriangleMesh& tmesh,
                                                 const NamedParameters& np,
-                                                Mesh_descriptors<TriangleMesh>& descriptors,
+                                                Patch_descriptors<TriangleMesh>* const patch_descriptors,
                                                 const bool flat_unless_smooth = false)
 {
   const auto vpm = read_vertex_point_map(tmesh, np);
   Mesh_arrays mesh;
-  if(!read_mesh(tmesh, vpm, mesh, descriptors))
+  Mesh_descriptors<TriangleMesh> descriptors;
+  if(!read_reference_mesh(tmesh, vpm, mesh, descriptors))
     return {};
+  if(patch_descriptors != nullptr)
+    *patch_descriptors = Patch_descriptors<TriangleMesh>(tmesh, mesh, descriptors);
   const std::vector<Vector> face_normals = compute_face_normals<ConcurrencyTag>(mesh);
   const std::vector<char> is_crease = find_creases<ConcurrencyTag>(mesh, descriptors, face_normals, np);
 

@@ -33,7 +33,7 @@ public:
   template <typename TriangleMesh, typename NamedParameters, typename ConcurrencyTag>
   Default_reference_surface(const TriangleMesh& tmesh,
                             const NamedParameters& np,
-                            Mesh_descriptors<TriangleMesh>& descriptors,
+                            Patch_descriptors<TriangleMesh>* const descriptors,
                             const ConcurrencyTag&)
     : m_patches(make_reference_patches<PN_triangle, ConcurrencyTag>(tmesh, np, descriptors, true))
   {}
@@ -52,10 +52,8 @@ auto with_reference_surface(const Reference& reference, const NamedParameters& n
   if constexpr(Is_reference_surface<Reference>::value)
     return f(reference);
   else
-  {
-    Mesh_descriptors<Reference> descriptors;
-    return f(Default_reference_surface(reference, np, descriptors, ConcurrencyTag()));
-  }
+    return f(
+      Default_reference_surface(reference, np, static_cast<Patch_descriptors<Reference>*>(nullptr), ConcurrencyTag()));
 }
 
 // Returns f(access) with what `access_reference()` gives for `reference`, a mesh or a reference surface; `otherwise` if it

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <numeric>
 #include <utility>
@@ -52,12 +53,15 @@ walk_to_closest_point(const Remesh& remesh, const std::vector<Point>& points, co
   }
 }
 
-// The faces with the vertices at `points`, for closest points.
+// The faces with the vertices at `points`, for closest points; those of the surroundings follow.
 inline Patch_tree<Flat_triangle> make_face_tree(const Remesh& remesh, const std::vector<Point>& points)
 {
-  std::vector<Flat_triangle> triangles(remesh.number_of_faces());
-  for(std::size_t f = 0; f < triangles.size(); ++f)
-    triangles[f] = Flat_triangle(remesh.triangle(f, points));
+  std::vector<Flat_triangle> triangles;
+  triangles.reserve(remesh.number_of_faces() + remesh.surroundings.number_of_faces());
+  for(std::size_t f = 0; f < remesh.number_of_faces(); ++f)
+    triangles.emplace_back(remesh.triangle(f, points));
+  for(std::size_t f = 0; f < remesh.surroundings.number_of_faces(); ++f)
+    triangles.emplace_back(remesh.surroundings.triangle(f));
   return Patch_tree<Flat_triangle>(std::move(triangles));
 }
 
@@ -112,7 +116,9 @@ public:
   Approximation_error start(const Reference& reference, const Remesh& remesh, const HintOfFace& hint)
   {
     constexpr std::size_t samples_per_face = 6; // of the remesh; they take most of the time and memory of the fit
-    const std::size_t number_of_faces = remesh.number_of_faces(), n = samples_per_face * number_of_faces;
+    const Index number_of_faces = static_cast<Index>(remesh.number_of_faces());
+    const double number_of_triangles = remesh.total_weight() + remesh.surroundings.total_weight();
+    const std::size_t n = samples_per_face * static_cast<std::size_t>(std::round(number_of_triangles));
     m_area = reference.area() / n;
     if(m_area > 0)
     {
@@ -139,8 +145,10 @@ public:
     }
     const Patch_tree<Flat_triangle> tree = make_face_tree(remesh, remesh.points);
     const std::vector<Index> faces = find_closest_faces<ConcurrencyTag>(tree);
-    m_samples_of_faces = Index_groups(number_of_faces, faces.size(), [&](Index i) { return faces[i]; });
-    const std::vector<Index> order = m_samples_of_faces.members();
+    // what is closest to the surroundings comes last, and is left out
+    const auto group_of = [&](Index i) { return (std::min)(faces[i], number_of_faces); };
+    std::vector<Index> order = Index_groups(number_of_faces + 1, faces.size(), group_of).members();
+    order.resize(std::count_if(faces.begin(), faces.end(), [&](Index f) { return f < number_of_faces; }));
     permute(m_points, order);
     permute(m_normals, order);
     permute(m_weights, order);
@@ -189,8 +197,8 @@ public:
   }
 
 private:
-  // Finds the faces of the remesh that are closest. Neighbors among the samples follow each other: the face of one is a
-  // hint for the next.
+  // Finds the faces of the remesh that are closest, or of its surroundings, which follow them. Neighbors among the samples
+  // follow each other: the face of one is a hint for the next.
   template <typename ConcurrencyTag>
   std::vector<Index> find_closest_faces(const Patch_tree<Flat_triangle>& tree) const
   {

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
@@ -20,6 +21,11 @@ namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 //
 // Corner c = 3 f + k is the corner k of face f. The edge opposite to corner k of f is `face_edges[f][k]`: it goes from
 // the corner k + 1 to the corner k + 2 of f, or back.
+//
+// A polygon, a face of the user's mesh with more than three corners, stands for the mean of its fans: the faces are their
+// triangles, each with a weight, and the edges include diagonals. An ear is the triangle that cuts off one corner of its
+// polygon: both its sides there are edges of the polygon. What goes around a vertex goes from ear to ear, and `edge_corners`
+// has one corner for each side of an edge, of any of the triangles there.
 struct Mesh_arrays
 {
   std::vector<Point> points;
@@ -27,6 +33,30 @@ struct Mesh_arrays
   std::vector<std::array<Index, 3>> face_edges;
   std::vector<std::array<Index, 2>> edges;
   std::vector<std::array<Index, 2>> edge_corners; // the corners opposite to an edge; no_index: none, a border edge
+
+  // empty unless there is a polygon
+  std::vector<double> weights; // of the faces
+  std::vector<Index> polygons; // which face of the user's mesh each face is of
+  std::vector<Index> ears;     // for each corner that of the ear at the same corner of its polygon
+  std::vector<char> diagonals; // whether an edge is one
+
+  bool has_polygons() const { return !polygons.empty(); }
+  Index polygon(std::size_t f) const { return has_polygons() ? polygons[f] : static_cast<Index>(f); }
+
+  std::size_t number_of_polygons() const
+  {
+    return has_polygons() ? 1 + *std::max_element(polygons.begin(), polygons.end()) : number_of_faces();
+  }
+
+  double weight(std::size_t f) const { return weights.empty() ? 1 : weights[f]; }
+
+  double total_weight() const
+  {
+    return weights.empty() ? static_cast<double>(number_of_faces()) : std::accumulate(weights.begin(), weights.end(), 0.);
+  }
+
+  Index ear(Index corner) const { return ears.empty() ? corner : ears[corner]; }
+  bool is_diagonal(std::size_t e) const { return !diagonals.empty() && diagonals[e]; }
 
   std::size_t number_of_faces() const { return faces.size(); }
   const std::array<Index, 3>& face(std::size_t f) const { return faces[f]; }
@@ -66,35 +96,49 @@ struct Mesh_arrays
     return vertex_location::area_normal(t[0], t[1], t[2]);
   }
 
+  double triangle_area(std::size_t f) const { return norm(area_normal(f)) / 2; }
+
+  // The area that face f stands for: that of the triangle, times its weight. It is what integrals over the mesh are sums of.
   double area(std::size_t f) const { return area(f, points); }
-  double area(std::size_t f, const std::vector<Point>& at) const { return norm(area_normal(f, at)) / 2; }
+
+  double area(std::size_t f, const std::vector<Point>& at) const
+  {
+    const double area_of_triangle = norm(area_normal(f, at)) / 2;
+    return weights.empty() ? area_of_triangle : weights[f] * area_of_triangle;
+  }
 
   Index vertex(Index corner) const { return faces[corner / 3][corner % 3]; }
   static Index next(Index corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
   static Index previous(Index corner) { return corner % 3 == 0 ? corner + 2 : corner - 1; }
   Index opposite_edge(Index corner) const { return face_edges[corner / 3][corner % 3]; }
   Index edge_at_first_vertex(std::size_t f) const { return face_edges[f][1]; }
-  bool is_border(std::size_t e) const { return edge_corners[e][0] == no_index || edge_corners[e][1] == no_index; }
 
-  // the corner opposite to the same edge on its other side; no_index at a border
+  bool is_border(std::size_t e) const
+  {
+    return !is_diagonal(e) && (edge_corners[e][0] == no_index || edge_corners[e][1] == no_index);
+  }
+
+  // A corner opposite to the same edge on its other side; no_index at a border. Not for diagonals.
   Index corner_across(Index corner) const
   {
     const std::array<Index, 2>& corners = edge_corners[opposite_edge(corner)];
-    return corners[0] == corner ? corners[1] : corners[0];
+    const bool is_first =
+      has_polygons() ? corners[0] != no_index && polygons[corners[0] / 3] == polygons[corner / 3] : corners[0] == corner;
+    return is_first ? corners[1] : corners[0];
   }
 
-  // the corner at the same vertex in the face across the edge that is opposite to the next corner; no_index at a border
+  // The ear at the same vertex across the edge that is opposite to the next corner of an ear; no_index at a border.
   Index corner_across_next(Index corner) const
   {
     const Index opposite = corner_across(next(corner));
-    return opposite == no_index ? no_index : next(opposite);
+    return opposite == no_index ? no_index : ear(next(opposite));
   }
 
   // the same across the edge that is opposite to the previous corner
   Index corner_across_previous(Index corner) const
   {
     const Index opposite = corner_across(previous(corner));
-    return opposite == no_index ? no_index : previous(opposite);
+    return opposite == no_index ? no_index : ear(previous(opposite));
   }
 
 private:

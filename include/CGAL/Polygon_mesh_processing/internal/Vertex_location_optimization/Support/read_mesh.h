@@ -6,6 +6,8 @@
 #ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_READ_MESH_H
 #define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_READ_MESH_H
 
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/Face_reader.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/Face_selection.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/Mesh_arrays.h>
 
 #include <CGAL/assertions.h>
@@ -16,46 +18,64 @@
 #include <CGAL/property_map.h>
 #include <CGAL/Spatial_sort_traits_adapter_3.h>
 
-#include <algorithm>
-#include <array>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
-// The descriptors behind the elements of a `Mesh_arrays`.
-template <typename TriangleMesh>
-struct Mesh_descriptors
+template <typename PolygonMesh, typename VertexPointMap>
+bool has_finite_points(const PolygonMesh& pmesh, const VertexPointMap& vpm)
 {
-  std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> vertices;
-  std::vector<typename boost::graph_traits<TriangleMesh>::edge_descriptor> edges;
-  std::vector<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor> halfedges; // to the first vertex of each face
-};
-
-// Whether `tmesh` can be worked on: all its faces are triangles and all its coordinates are finite.
-template <typename TriangleMesh, typename VertexPointMap>
-bool is_valid_input(const TriangleMesh& tmesh, const VertexPointMap& vpm)
-{
-  for(auto v : vertices(tmesh))
+  for(auto v : vertices(pmesh))
     if(!is_finite(convert<Point>(get(vpm, v))))
       return false;
-  return is_triangle_mesh(tmesh);
+  return true;
+}
+
+// Whether each face of `pmesh` has three corners or more, and those with more than three have no vertex twice.
+template <typename PolygonMesh>
+bool has_valid_faces(const PolygonMesh& pmesh)
+{
+  if(is_triangle_mesh(pmesh))
+    return true;
+  auto last_face = get(dynamic_vertex_property_t<std::size_t>(), pmesh); // by its number, of those that have been tested
+  for(auto v : vertices(pmesh))
+    put(last_face, v, 0);
+  std::size_t number = 0;
+  for(auto f : faces(pmesh))
+  {
+    ++number;
+    std::size_t degree = 0;
+    bool is_simple = true;
+    for(auto v : vertices_around_face(halfedge(f, pmesh), pmesh))
+    {
+      ++degree;
+      is_simple = is_simple && get(last_face, v) != number;
+      put(last_face, v, number);
+    }
+    if(degree < 3 || (degree > 3 && !is_simple))
+      return false;
+  }
+  return true;
 }
 
 // Copies the vertices along a space-filling curve, and numbers them.
-template <typename TriangleMesh, typename VertexPointMap, typename VertexIndexMap>
-void copy_vertices(const TriangleMesh& tmesh,
+template <typename PolygonMesh, typename VertexPointMap, typename Selection, typename VertexIndexMap>
+void copy_vertices(const PolygonMesh& pmesh,
                    const VertexPointMap& vpm,
+                   const Selection& selection,
                    VertexIndexMap& vertex_index,
                    Mesh_arrays& mesh,
-                   Mesh_descriptors<TriangleMesh>& descriptors)
+                   Mesh_descriptors<PolygonMesh>& descriptors)
 {
-  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  using vertex_descriptor = typename boost::graph_traits<PolygonMesh>::vertex_descriptor;
   using Point_and_vertex = std::pair<Point, vertex_descriptor>;
 
   std::vector<Point_and_vertex> order;
-  for(vertex_descriptor v : vertices(tmesh))
-    order.emplace_back(convert<Point>(get(vpm, v)), v);
+  for(vertex_descriptor v : vertices(pmesh))
+    if(selection.has_vertex(v))
+      order.emplace_back(convert<Point>(get(vpm, v)), v);
   hilbert_sort(order.begin(), order.end(),
                Spatial_sort_traits_adapter_3<Kernel, First_of_pair_property_map<Point_and_vertex>>());
 
@@ -69,96 +89,34 @@ void copy_vertices(const TriangleMesh& tmesh,
   }
 }
 
-template <typename Descriptor>
-void sort_by_first_vertex(std::vector<std::pair<Index, Descriptor>>& order)
-{
-  std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-}
-
-// Copies the edges in the order of their first vertices, and numbers them.
-template <typename TriangleMesh, typename VertexIndexMap, typename EdgeIndexMap>
-void copy_edges(const TriangleMesh& tmesh,
-                const VertexIndexMap& vertex_index,
-                EdgeIndexMap& edge_index,
+// Reads the selected faces of `pmesh`. Returns whether that is possible: all coordinates are finite, the faces are valid,
+// and the indices suffice.
+template <typename PolygonMesh, typename VertexPointMap, typename Selection>
+bool read_faces(const PolygonMesh& pmesh,
+                const VertexPointMap& vpm,
+                const Selection& selection,
                 Mesh_arrays& mesh,
-                Mesh_descriptors<TriangleMesh>& descriptors)
+                Mesh_descriptors<PolygonMesh>& descriptors)
 {
-  using edge_descriptor = typename boost::graph_traits<TriangleMesh>::edge_descriptor;
-
-  std::vector<std::pair<Index, edge_descriptor>> order;
-  for(edge_descriptor e : edges(tmesh))
-    order.emplace_back((std::min)(get(vertex_index, source(e, tmesh)), get(vertex_index, target(e, tmesh))), e);
-  sort_by_first_vertex(order);
-
-  mesh.edges.reserve(order.size());
-  descriptors.edges.reserve(order.size());
-  for(const auto& [first, e] : order)
+  bool is_valid = has_finite_points(pmesh, vpm) && has_valid_faces(pmesh);
+  if(is_valid)
   {
-    put(edge_index, e, static_cast<Index>(mesh.edges.size()));
-    mesh.edges.push_back({ first, (std::max)(get(vertex_index, source(e, tmesh)), get(vertex_index, target(e, tmesh))) });
-    descriptors.edges.push_back(e);
+    auto vertex_index = get(dynamic_vertex_property_t<Index>(), pmesh);
+    copy_vertices(pmesh, vpm, selection, vertex_index, mesh, descriptors);
+    is_valid = Face_reader(pmesh, selection, vertex_index, mesh, descriptors).read();
   }
-  mesh.edge_corners.resize(mesh.edges.size(), { no_index, no_index });
+  CGAL_precondition(is_valid);
+  return is_valid;
 }
 
-// Copies the faces in the order of their first vertices.
-template <typename TriangleMesh, typename VertexIndexMap, typename EdgeIndexMap>
-void copy_faces(const TriangleMesh& tmesh,
-                const VertexIndexMap& vertex_index,
-                const EdgeIndexMap& edge_index,
-                Mesh_arrays& mesh,
-                Mesh_descriptors<TriangleMesh>& descriptors)
-{
-  using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
-
-  std::vector<std::pair<Index, halfedge_descriptor>> order; // a face by the halfedge to its first vertex
-  for(auto f : faces(tmesh))
-  {
-    const auto around = halfedges_around_face(halfedge(f, tmesh), tmesh);
-    const auto first = std::min_element(around.begin(), around.end(), [&](halfedge_descriptor g, halfedge_descriptor h) {
-      return get(vertex_index, target(g, tmesh)) < get(vertex_index, target(h, tmesh));
-    });
-    order.emplace_back(get(vertex_index, target(*first, tmesh)), *first);
-  }
-  sort_by_first_vertex(order);
-
-  mesh.faces.resize(order.size());
-  mesh.face_edges.resize(order.size());
-  descriptors.halfedges.reserve(order.size());
-  for(Index f = 0; f < order.size(); ++f)
-  {
-    Index k = 0;
-    for(auto h : halfedges_around_face(order[f].second, tmesh))
-    {
-      // the edge opposite to a corner is that of the halfedge after the next
-      const Index e = get(edge_index, edge(prev(h, tmesh), tmesh));
-      mesh.faces[f][k] = get(vertex_index, target(h, tmesh));
-      mesh.face_edges[f][k] = e;
-      mesh.edge_corners[e][mesh.edge_corners[e][0] == no_index ? 0 : 1] = 3 * f + k;
-      ++k;
-    }
-    descriptors.halfedges.push_back(order[f].second);
-  }
-}
-
-// Copies `tmesh` to empty arrays; returns false, and copies nothing, if it cannot be worked on.
-template <typename TriangleMesh, typename VertexPointMap>
-bool read_mesh(const TriangleMesh& tmesh,
+// Reads `pmesh`, all of it.
+template <typename PolygonMesh, typename VertexPointMap>
+bool read_mesh(const PolygonMesh& pmesh,
                const VertexPointMap& vpm,
                Mesh_arrays& mesh,
-               Mesh_descriptors<TriangleMesh>& descriptors)
+               Mesh_descriptors<PolygonMesh>& descriptors)
 {
-  const bool is_valid = is_valid_input(tmesh, vpm);
-  CGAL_precondition(is_valid);
-  if(!is_valid)
-    return false;
-
-  auto vertex_index = get(dynamic_vertex_property_t<Index>(), tmesh);
-  auto edge_index = get(dynamic_edge_property_t<Index>(), tmesh);
-  copy_vertices(tmesh, vpm, vertex_index, mesh, descriptors);
-  copy_edges(tmesh, vertex_index, edge_index, mesh, descriptors);
-  copy_faces(tmesh, vertex_index, edge_index, mesh, descriptors);
-  return true;
+  return read_faces(pmesh, vpm, All_faces(), mesh, descriptors);
 }
 
 } // namespace CGAL::Polygon_mesh_processing::internal::vertex_location

@@ -60,7 +60,7 @@ find_constrained_edges(const Mesh_arrays& mesh, const Mesh_descriptors<TriangleM
                                                     Static_boolean_property_map<edge_descriptor, false>());
   std::vector<char> is_constrained(mesh.edges.size());
   for(std::size_t e = 0; e < mesh.edges.size(); ++e)
-    is_constrained[e] = get(edge_is_constrained, descriptors.edges[e]);
+    is_constrained[e] = !mesh.is_diagonal(e) && get(edge_is_constrained, descriptors.edges[e]);
   return is_constrained;
 }
 

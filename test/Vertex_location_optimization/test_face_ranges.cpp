@@ -118,9 +118,11 @@ void test_errors()
   const auto expected = mesh.add_property_map<Face, double>("f:expected", -1).first;
   const auto errors = mesh.add_property_map<Face, double>("f:error", -1).first;
   const auto vertex_errors = mesh.add_property_map<Vertex, double>("v:error", -1).first;
-  PMP::approximation_error(mesh, reference, params::face_error_map(expected));
-  const PMP::Approximation_error error =
-    PMP::approximation_error(range, mesh, reference, params::face_error_map(errors).vertex_error_map(vertex_errors));
+  // by default the samples of a face follow the precision of the mean over all
+  PMP::approximation_error(mesh, reference, params::face_error_map(expected).number_of_points_per_face(64));
+  const PMP::Approximation_error error = PMP::approximation_error(
+    range, mesh, reference,
+    params::face_error_map(errors).vertex_error_map(vertex_errors).number_of_points_per_face(64));
   double largest = 0, smallest = 1;
   for(const Face f : mesh.faces())
   {

@@ -29,9 +29,10 @@ namespace Polygon_mesh_processing {
  * The distance \f$ e(x) \f$ of a point \f$ x \f$ of `pmesh` is that to the closest point of the reference; the mean is
  * \f$ \frac{1}{A} \int e(x)\,dx \f$ over the area \f$ A \f$ of `pmesh`, equation (5) of \cgalCite{vlo2012}. The
  * integral is taken from samples. A face gets as many as there are faces of the reference below it, small faces get few,
- * and more are taken until the mean is known to about 0.2%. The maximum is searched for on whole faces, edges and vertices
- * included, from the samples where it may be; it is within 1% on nearly all meshes. Beware that the search is bounded: a
- * peak of the distance that is much narrower than the faces of both surfaces may be missed.
+ * and more are taken until the mean is probably known to a few thousandths: it is typically 0.1% off, but may be 2% off on a
+ * mesh of a few large faces. The maximum is searched for on whole faces, edges and vertices included, from the samples where
+ * it may be; it is within 1% on most meshes. Beware that the search is bounded: a peak of the distance that is much narrower
+ * than the faces of both surfaces may be missed.
  *
  * A face with more than three corners stands for the mean of its fans, one from each of its corners, as in
  * `optimize_vertex_locations()`: the samples lie in all of their triangles, weighted. The maximum is that of all of them.

@@ -101,11 +101,13 @@ struct Face_piece
     return (std::max)(sum / (m_has_midpoints ? 6 : 3), blur * square(least));
   }
 
-  double largest_distance() const
+  double largest_distance() const { return farthest_sample().distance; }
+
+  const Sample& farthest_sample() const
   {
-    double largest = 0;
-    for_each_sample([&](const Sample& s) { largest = (std::max)(largest, s.distance); });
-    return largest;
+    const Sample* farthest = &corners[0];
+    for_each_sample([&](const Sample& s) { farthest = s.distance > farthest->distance ? &s : farthest; });
+    return *farthest;
   }
 
   // of those that are exact

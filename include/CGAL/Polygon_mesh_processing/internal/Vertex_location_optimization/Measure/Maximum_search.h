@@ -12,11 +12,12 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
-// Finds the largest distance on a face: cuts it to pieces, first where it may be largest.
+// Finds the largest distance on a face: cuts it to pieces, first where it may be largest, and climbs from the best sample.
 template <typename Reference>
 class Farthest_on_face
 {
@@ -26,7 +27,7 @@ class Farthest_on_face
 public:
   struct Result
   {
-    double distance = 0;
+    Sample best;
     std::size_t number_of_cuts = 0;
   };
 
@@ -37,23 +38,22 @@ public:
   {
     constexpr double precision = 1.002;
     std::vector<Candidate> heap;
-    Result result;
+    Result result{ corners[0] };
     const auto add = [&](const Piece& piece) {
-      const double distance = piece.largest_distance();
-      result.distance = (std::max)(result.distance, distance);
-      heap.push_back({ piece, distance + piece.probable_rise(m_normal) });
+      const Sample& farthest = piece.farthest_sample();
+      if(farthest.distance > result.best.distance)
+        result.best = farthest;
+      heap.push_back({ piece, farthest.distance + piece.probable_rise(m_normal) });
       std::push_heap(heap.begin(), heap.end());
     };
-    const auto take_sample = [&](const Point& p, const Sample& near) {
-      return Sample(p, m_reference, m_reference.project(p, near.hint));
-    };
+    const auto take_sample = [&](const Point& p, const Sample& near) { return sample(p, near); };
     add(Piece(corners, take_sample));
     for(; result.number_of_cuts < most_cuts; ++result.number_of_cuts)
     {
       std::pop_heap(heap.begin(), heap.end());
       const Candidate candidate = heap.back();
       heap.pop_back();
-      if(!(candidate.bound > precision * (std::max)(result.distance, known)))
+      if(!(candidate.bound > precision * (std::max)(result.best.distance, known)))
         break;
       for(const Piece& piece : candidate.piece.split(take_sample))
         add(piece);
@@ -61,7 +61,56 @@ public:
     return result;
   }
 
+  // The largest distance to which steps from a sample lead, which are halved where none leads farther, until around the last
+  // point it hardly changes.
+  double climb(const std::array<Sample, 3>& corners, Sample best) const
+  {
+    constexpr double first_step = 1. / 8; // relative to the sides of the face
+    constexpr double precision = 0.001;   // of the result
+    constexpr int most_rounds = 40;       // it bounds the time
+    const std::array<Point, 3> face{ corners[0].point, corners[1].point, corners[2].point };
+    Coordinates x = closest_on_triangle(face, best.point);
+    double step = first_step;
+    for(int round = 0; round < most_rounds; ++round)
+    {
+      const Sample here = best;
+      double least = here.distance;
+      for(const Coordinates& y : neighbors(x, step))
+      {
+        const Sample there = sample(point_at(face, y), here);
+        least = (std::min)(least, there.distance);
+        if(there.distance > best.distance)
+        {
+          best = there;
+          x = y;
+        }
+      }
+      if(best.distance > here.distance)
+        continue;
+      if(!(least < (1 - precision) * best.distance))
+        break;
+      step /= 2;
+    }
+    return best.distance;
+  }
+
 private:
+  Sample sample(const Point& p, const Sample& near) const
+  {
+    return Sample(p, m_reference, m_reference.project(p, near.hint));
+  }
+
+  // steps along the sides of the face, and back; those that would leave the face end on its boundary
+  static std::array<Coordinates, 6> neighbors(const Coordinates& x, const double step)
+  {
+    const auto inside = [](double u, double v) {
+      u = std::clamp(u, 0., 1.);
+      return Coordinates{ u, std::clamp(v, 0., 1 - u) };
+    };
+    return { inside(x.u + step, x.v),        inside(x.u - step, x.v),        inside(x.u, x.v + step),
+             inside(x.u, x.v - step),        inside(x.u + step, x.v - step), inside(x.u - step, x.v + step) };
+  }
+
   struct Candidate
   {
     bool operator<(const Candidate& other) const { return bound < other.bound; }
@@ -90,35 +139,49 @@ public:
       m_known = (std::max)(m_known, face.max);
   }
 
-  // The first faces make what is known large, so that few others remain; the last ones make it precise.
+  // The first faces make what is known large, so that few others remain; the last ones make it precise. The numbers trade
+  // time for a maximum that is elsewhere.
   void run()
   {
-    const std::size_t n = m_faces.size(), unlimited = n * number_of_first;
-    search([](const Face_measurement& face) { return face.sampled_maximum; }, number_of_first, 12, unlimited);
-    search([](const Face_measurement& face) { return face.probable_maximum; }, n, 4, 512 + n / 8);
-    search([](const Face_measurement& face) { return face.max; }, number_of_last, 64, unlimited);
+    constexpr std::size_t unlimited = (std::numeric_limits<std::size_t>::max)();
+    constexpr Effort for_first{ 32, 12, unlimited, false }, for_last{ 8, 64, unlimited, true };
+    const Effort for_others{ m_faces.size(), 4, 512 + m_faces.size() / 8, false };
+    search([](const Face_measurement& face) { return face.sampled_maximum; }, for_first);
+    search([](const Face_measurement& face) { return face.probable_maximum; }, for_others);
+    search([](const Face_measurement& face) { return face.max; }, for_last);
   }
 
 private:
-  static constexpr std::size_t number_of_first = 32, number_of_last = 8;
   using Farthest = Farthest_on_face<Reference>;
 
-  // Searches the faces with the largest keys, `number` of them at most, each with `cuts` cuts at most and a few more if it
-  // is large, until `most_cuts` cuts are made.
+  // how thoroughly faces are searched
+  struct Effort
+  {
+    std::size_t most_faces;
+    std::size_t cuts_per_face; // at most, and a few more if the face is large
+    std::size_t most_cuts;     // of all; no face is begun afterwards
+    bool climbs;
+  };
+
+  struct Found
+  {
+    double distance = 0;
+    std::size_t number_of_cuts = 0;
+  };
+
+  // Searches the faces with the largest keys.
   template <typename Key>
-  void search(const Key& key, std::size_t number, const std::size_t cuts, const std::size_t most_cuts)
+  void search(const Key& key, const Effort& effort)
   {
     constexpr std::size_t batch_size = 32; // searched with the same knowledge, whatever the number of threads
-    const std::vector<Index> order = promising_faces(key, number);
-    std::array<typename Farthest::Result, batch_size> results;
+    const std::vector<Index> order = promising_faces(key, effort.most_faces);
+    std::array<Found, batch_size> results;
     std::size_t number_of_cuts = 0;
-    for(std::size_t begin = 0; begin < order.size() && number_of_cuts < most_cuts; begin += batch_size)
+    for(std::size_t begin = 0; begin < order.size() && number_of_cuts < effort.most_cuts; begin += batch_size)
     {
       const std::size_t size = (std::min)(batch_size, order.size() - begin);
       for_each_index<ConcurrencyTag>(size, [&](std::size_t i) {
-        const Index f = order[begin + i];
-        const Farthest farthest(m_reference, m_normal_of(f));
-        results[i] = farthest(m_corners_of(f), m_known, cuts + m_faces[f].number_of_pieces / 4);
+        results[i] = search_face(order[begin + i], effort);
       });
       for(std::size_t i = 0; i < size; ++i)
       {
@@ -128,6 +191,16 @@ private:
         number_of_cuts += results[i].number_of_cuts;
       }
     }
+  }
+
+  Found search_face(const Index f, const Effort& effort) const
+  {
+    constexpr std::size_t pieces_per_cut = 4;
+    const Farthest farthest(m_reference, m_normal_of(f));
+    const auto corners = m_corners_of(f);
+    const auto [best, number_of_cuts] =
+      farthest(corners, m_known, effort.cuts_per_face + m_faces[f].number_of_pieces / pieces_per_cut);
+    return { effort.climbs ? farthest.climb(corners, best) : best.distance, number_of_cuts };
   }
 
   // the faces with the largest keys, ties by index, among those that may have more than is known

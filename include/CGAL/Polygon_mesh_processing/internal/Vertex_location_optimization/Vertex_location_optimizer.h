@@ -52,28 +52,7 @@ public:
     if(m_report.iterations == 0)
       return m_report;
 
-    // also if the visitor has ended the iterations: what they have reached is no result before it is checked
-    m_visitor.start_phase(Phase::ENFORCE_GUARANTEE);
-    auto samples = std::move(placement->samples()).take_offsets();
-    Points_and_faces area_samples;
-    if(m_options.guarantee_both_directions)
-      area_samples = std::move(placement->area_samples()).take();
-    placement.reset();
-    Guarantee<ConcurrencyTag, Reference, AllowMove, FindSelfIntersections> guarantee(
-      m_reference, m_initial_quality, m_smallest_angles, std::move(samples), std::move(area_samples), m_allow_move, m_find_self_intersections,
-      m_remesh, m_corrections);
-    guarantee.enforce();
-    if(m_options.preserve_volume && m_remesh.is_closed() && m_reference.is_closed())
-      m_report.is_volume_preserved = guarantee.enclose(m_reference.template volume<ConcurrencyTag>());
-    m_report.initial_error = m_initial_quality.error;
-    m_report.final_error = guarantee.error();
-    m_report.initial_error_from_reference = m_initial_quality.error_from_reference;
-    m_report.final_error_from_reference = guarantee.error_from_reference();
-    m_remesh.advance();
-    count_corrected_vertices();
-    if(m_remesh.is_closed())
-      m_report.volume_change = volume_change(m_remesh);
-    m_report.moved_vertices = m_remesh.number_of_moved_vertices();
+    enforce_guarantee(std::move(placement));
     return m_report;
   }
 
@@ -145,6 +124,41 @@ private:
       if(!is_finite(m_remesh.next_points[i]))
         m_remesh.next_points[i] = m_remesh.points[i];
     });
+  }
+
+  // Also if the visitor has ended the iterations: what they have reached is no result before it is checked.
+  void enforce_guarantee(std::unique_ptr<Placement<Reference>> placement)
+  {
+    m_visitor.start_phase(Phase::ENFORCE_GUARANTEE);
+    auto samples = std::move(placement->samples()).take_offsets();
+    Points_and_faces area_samples;
+    if(m_options.guarantee_both_directions)
+      area_samples = std::move(placement->area_samples()).take();
+    placement.reset();
+    Guarantee<ConcurrencyTag, Reference, AllowMove, FindSelfIntersections> guarantee(
+      m_reference, m_initial_quality, m_smallest_angles, std::move(samples), std::move(area_samples), m_allow_move,
+      m_find_self_intersections, m_remesh, m_corrections);
+    guarantee.enforce();
+    if(m_options.preserve_volume && m_remesh.is_closed() && m_reference.is_closed())
+      m_report.is_volume_preserved = guarantee.enclose(m_reference.template volume<ConcurrencyTag>());
+    m_remesh.advance();
+    report_result(guarantee);
+  }
+
+  template <typename Guarantee>
+  void report_result(const Guarantee& guarantee)
+  {
+    count_corrected_vertices();
+    m_report.moved_vertices = m_remesh.number_of_moved_vertices();
+    m_report.volume_change = m_remesh.is_closed() ? volume_change(m_remesh) : 0;
+    m_report.initial_error = m_report.final_error = m_initial_quality.error;
+    if(m_report.moved_vertices > 0)
+      m_report.final_error = guarantee.error();
+    if(!m_options.guarantee_both_directions)
+      return;
+    m_report.initial_error_from_reference = m_report.final_error_from_reference = m_initial_quality.error_from_reference;
+    if(m_report.moved_vertices > 0)
+      m_report.final_error_from_reference = guarantee.error_from_reference();
   }
 
   // Once the vertices have settled there is one more iteration, with exact samples.

@@ -37,6 +37,31 @@ void read_surroundings(const PolygonMesh& pmesh,
     }
 }
 
+// Writes the points of the vertices that have moved. If the map throws, those that were written are restored.
+template <typename PolygonMesh, typename VertexPointMap>
+void write_points(const Remesh& remesh, const Mesh_descriptors<PolygonMesh>& descriptors, const VertexPointMap& vpm)
+{
+  using vertex_descriptor = typename boost::graph_traits<PolygonMesh>::vertex_descriptor;
+  using Point_3 = typename boost::property_traits<VertexPointMap>::value_type;
+  std::vector<std::pair<vertex_descriptor, Point_3>> originals;
+  try
+  {
+    for(std::size_t i = 0; i < remesh.points.size(); ++i)
+      if(remesh.points[i] != remesh.initial_points[i])
+      {
+        const vertex_descriptor v = descriptors.vertices[i];
+        originals.emplace_back(v, get(vpm, v));
+        put(vpm, v, convert<Point_3>(remesh.points[i]));
+      }
+  }
+  catch(...)
+  {
+    for(const auto& [v, point] : originals)
+      put(vpm, v, point);
+    throw;
+  }
+}
+
 // What `optimize_vertex_locations()` does, with the selected faces.
 template <typename ConcurrencyTag,
           typename PolygonMesh,
@@ -92,9 +117,7 @@ Vertex_location_optimization_report optimize_faces(PolygonMesh& pmesh,
       return result;
     });
 
-  for(std::size_t i = 0; i < remesh.points.size(); ++i)
-    if(remesh.points[i] != remesh.initial_points[i])
-      put(vpm, descriptors.vertices[i], convert<Point_3>(remesh.points[i]));
+  write_points(remesh, descriptors, vpm);
   return report;
 }
 

@@ -67,16 +67,44 @@ public:
            }).error();
   }
 
+  // Where walking may have led astray it is too soon to give up: searches for all closest points, with the vertices at the
+  // next and at the initial points.
+  template <typename ConcurrencyTag>
+  void measure_exactly()
+  {
+    const auto search = [&](const std::vector<Point>& points, std::vector<Index>& faces, std::vector<double>& distances) {
+      const Patch_tree<Flat_triangle> tree = make_face_tree(m_remesh, points);
+      for_each_index<ConcurrencyTag>(faces.size(), [&](std::size_t i) {
+        const Patch_foot foot = tree.project(m_samples.points[i], faces[i]);
+        faces[i] = foot.patch;
+        distances[i] = norm(m_samples.points[i] - tree.point(foot));
+      });
+    };
+    m_initial_faces = m_samples.faces;
+    m_initial_distances.resize(m_initial_faces.size());
+    search(m_remesh.initial_points, m_initial_faces, m_initial_distances);
+    search(m_remesh.next_points, m_samples.faces, m_distances);
+  }
+
+  bool is_exact() const { return !m_initial_distances.empty(); }
+
+  // the mean distance with the vertices at the initial points, once it has been measured exactly
+  double initial_mean() const
+  {
+    Error_integral sum;
+    for(std::size_t i = 0; i < m_initial_distances.size(); ++i)
+      sum += integral_of_sample(m_samples.weights[i], m_initial_distances[i]);
+    return sum.error().mean;
+  }
+
   // Calls f(face, d) for each sample, with the face that was closest at first, and by how much the integral of the distance
-  // has grown.
+  // has grown; once it has been measured exactly.
   template <typename F>
   void for_each_change(const F& f) const
   {
     for(std::size_t i = 0; i < m_distances.size(); ++i)
-    {
-      const Closest initial = closest(m_samples.points[i], m_remesh.initial_points, m_samples.faces[i]);
-      f(initial.face, m_samples.weights[i] * (m_distances[i] - initial.distance));
-    }
+      if(m_initial_faces[i] < m_remesh.number_of_faces())
+        f(m_initial_faces[i], m_samples.weights[i] * (m_distances[i] - m_initial_distances[i]));
   }
 
   // The largest distance, of the samples and of the points to which climbing from the largest of them leads.
@@ -148,6 +176,8 @@ private:
   const Remesh& m_remesh;
   Points_and_faces m_samples;
   std::vector<double> m_distances;
+  std::vector<Index> m_initial_faces; // and distances, with the vertices at the initial points, once they are needed
+  std::vector<double> m_initial_distances;
 };
 
 } // namespace CGAL::Polygon_mesh_processing::internal::vertex_location

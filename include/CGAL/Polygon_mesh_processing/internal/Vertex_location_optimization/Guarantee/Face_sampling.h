@@ -50,16 +50,17 @@ public:
   }
 
   // Samples face f with its corners at `t`. `feet[k]` is a hint for the corner k, `midpoint_feet[k]` one for the midpoint
-  // of the side opposite to it, and `largest` the largest distance at these six points.
+  // of the side opposite to it, and `largest` the largest distance at these six points. If it is to be exact, all closest points are searched for.
   template <typename Reference>
   Face_distances measure(const Reference& reference,
                          const std::size_t f,
                          const std::array<Point, 3>& t,
                          const std::array<typename Reference::Foot, 3>& feet,
                          const std::array<typename Reference::Foot, 3>& midpoint_feet,
-                         const double largest) const
+                         const double largest,
+                         const bool is_exact = false) const
   {
-    const bool walks = Reference::walks && is_smooth(reference, feet, midpoint_feet);
+    const bool walks = Reference::walks && !is_exact && is_smooth(reference, feet, midpoint_feet);
     const double near = near_by(largest, std::sqrt(norm(area_normal(t[0], t[1], t[2]))));
     Face_distances result;
     for_each_point(f, [&](const Coordinates& x) {

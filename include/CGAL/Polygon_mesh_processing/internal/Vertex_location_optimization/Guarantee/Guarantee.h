@@ -59,7 +59,7 @@ class Guarantee
 public:
   // `samples` and `area_samples` are those of the points of the remesh
   Guarantee(const Reference& reference,
-            const Initial_quality& initial,
+            Initial_quality& initial,
             const Smallest_angles& smallest_angles,
             Remesh_sample_offsets<typename Reference::Hint> samples,
             Points_and_faces area_samples,
@@ -205,22 +205,34 @@ private:
   // If the mean is not lower than at first: the vertices whose faces have contributed to that.
   Indices vertices_that_raise_mean()
   {
-    const double mean = m_initial.error.mean;
-    if(is_lower(m_distances.template error<ConcurrencyTag>().mean, mean))
+    if(is_lower(mean(), m_initial.error.mean))
       return {};
-    if(m_initial_integrals.empty())
-    {
-      m_initial_integrals.resize(m_remesh.number_of_faces());
-      for_each_index<ConcurrencyTag>(m_initial_integrals.size(),
-                                     [&](std::size_t f) { m_initial_integrals[f] = m_distances.initial_integral(f); });
-    }
+    if(!m_distances.is_exact())
+      measure_exactly();
+    if(is_lower(mean(), m_initial.error.mean))
+      return {};
     // A face raises the mean by its integral less that of the mean over its area.
     std::vector<double> changes(m_remesh.number_of_faces());
     for_each_index<ConcurrencyTag>(changes.size(), [&](std::size_t f) {
       const double growth = m_remesh.area(f, m_remesh.next_points) - m_remesh.area(f, m_remesh.initial_points);
-      changes[f] = m_distances.integral(f) - m_initial_integrals[f] - mean * growth;
+      changes[f] = m_distances.integral(f) - m_initial_integrals[f] - m_initial.error.mean * growth;
     });
     return vertices_with_positive_sum(changes);
+  }
+
+  double mean() const { return m_distances.template error<ConcurrencyTag>().mean; }
+
+  // the distances to the reference, at first and now
+  void measure_exactly()
+  {
+    m_distances.template measure_exactly<ConcurrencyTag>();
+    m_initial_integrals.resize(m_remesh.number_of_faces());
+    for_each_index<ConcurrencyTag>(m_initial_integrals.size(),
+                                   [&](std::size_t f) { m_initial_integrals[f] = m_distances.initial_integral(f); });
+    Error_integral sum;
+    for(std::size_t f = 0; f < m_initial_integrals.size(); ++f)
+      sum += { m_remesh.area(f, m_remesh.initial_points), m_initial_integrals[f], 0, 0 };
+    m_initial.error.mean = sum.error().mean;
   }
 
   // The vertices that have moved and among which the changes of their faces, shared by those that have moved, have a
@@ -249,9 +261,21 @@ private:
     return vertices_of(faces);
   }
 
-  Indices vertices_that_raise_mean_from_reference() const
+  Indices vertices_that_raise_mean_from_reference()
   {
-    if(is_lower(m_distances_from_reference.template error<ConcurrencyTag>().mean, m_initial.error_from_reference.mean))
+    const auto is_enough = [&] {
+      constexpr double rounding = 1e-12; // it need not be lower: it is not what is optimized
+      return m_distances_from_reference.template error<ConcurrencyTag>().mean <=
+             (1 + rounding) * m_initial.error_from_reference.mean;
+    };
+    if(is_enough())
+      return {};
+    if(!m_distances_from_reference.is_exact())
+    {
+      m_distances_from_reference.template measure_exactly<ConcurrencyTag>();
+      m_initial.error_from_reference.mean = m_distances_from_reference.initial_mean();
+    }
+    if(is_enough())
       return {};
     std::vector<double> changes(m_remesh.number_of_faces(), 0);
     m_distances_from_reference.for_each_change([&](Index f, double growth) { changes[f] += growth; });
@@ -271,7 +295,8 @@ private:
   template <typename Vertices>
   bool shorten(const Vertices& vertices, const Correction reason)
   {
-    constexpr int max_rounds = 10; // it bounds the time; afterwards moves are taken back
+    // they bound the time; afterwards moves are taken back
+    const int max_rounds = m_distances.is_exact() ? 5 : 10;
     bool is_shortened = false;
     for(Index i : std::set<Index>(vertices.begin(), vertices.end()))
       if(is_moved(i))
@@ -295,7 +320,7 @@ private:
 
   bool is_moved(std::size_t i) const { return m_remesh.next_points[i] != m_remesh.initial_points[i]; }
 
-  const Initial_quality& m_initial;
+  Initial_quality& m_initial; // its means become exact if they must
   Result_distances<Reference> m_distances;
   Distances_from_reference<Reference> m_distances_from_reference;
   Shape_criterion m_shapes;

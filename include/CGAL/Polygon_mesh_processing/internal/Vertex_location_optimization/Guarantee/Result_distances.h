@@ -82,6 +82,16 @@ public:
     m_points = m_remesh.next_points;
   }
 
+  // Where walking may have led astray it is too soon to give up: from now on all closest points are searched for.
+  template <typename ConcurrencyTag>
+  void measure_exactly()
+  {
+    m_is_exact = true;
+    measure<ConcurrencyTag>();
+  }
+
+  bool is_exact() const { return m_is_exact; }
+
   // Measures again what has changed since; returns the faces, in increasing order.
   template <typename ConcurrencyTag>
   std::vector<Index> update()
@@ -176,7 +186,7 @@ private:
       midpoint_feet[k] = m_midpoints.hints[m_remesh.face_edges[f][k]];
     }
     return m_sampling.measure(m_reference, f, m_remesh.triangle(f, points), feet, midpoint_feet,
-                              maximum_on_sides(f));
+                              maximum_on_sides(f), m_is_exact);
   }
 
   double maximum_on_sides(std::size_t f) const
@@ -214,6 +224,7 @@ private:
   Samples m_vertices, m_midpoints;
   std::vector<Point> m_points; // of the vertices, for which the samples were taken
   std::vector<Face> m_faces;
+  bool m_is_exact = false;
 };
 
 } // namespace CGAL::Polygon_mesh_processing::internal::vertex_location

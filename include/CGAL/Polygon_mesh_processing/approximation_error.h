@@ -81,8 +81,8 @@ namespace Polygon_mesh_processing {
  *   \cgalParamNEnd
  *
  *   \cgalParamNBegin{number_of_points_per_area_unit}
- *     \cgalParamDescription{the number of samples for each unit of area, in the unit of the input. Each triangle gets so many,
- *                           or `number_of_points_per_face` if that is more.}
+ *     \cgalParamDescription{the number of samples for each unit of area, in the unit of the input. Each triangle gets so
+ *                           many, or `number_of_points_per_face` if that is more.}
  *     \cgalParamType{double}
  *     \cgalParamDefault{follows the reference}
  *   \cgalParamNEnd

@@ -33,7 +33,8 @@ public:
   /*!
    * is called before each phase of an iteration, before `start_phase()`. If it returns `false`, the iterations end: the
    * unfinished one is given up, and what the complete ones have reached is the result, with the same guarantees as that
-   * of a full run. `ENFORCE_GUARANTEE` sees to these and is not asked for: it takes about as long as a few iterations.
+   * of a full run. `ENFORCE_GUARANTEE` sees to these and is not asked for: it takes as long as several iterations, and
+   * longer where many moves have to be shortened.
    */
   bool go_further();
 };

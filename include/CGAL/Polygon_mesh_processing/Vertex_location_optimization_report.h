@@ -97,14 +97,21 @@ struct Vertex_location_optimization_report
   /// those without which two faces would intersect that did not before
   std::size_t corrected_for_intersection = 0;
 
-  /// those whose moves the user has refused
+  /// those whose moves `allow_move_functor` has refused
   std::size_t refused_vertices = 0;
 
-  /// the distance of the mesh to the reference before and after, as the guarantee measures it
-  Approximation_error initial_error, final_error;
+  /// the distance from the mesh to the reference before, as the guarantee measures it
+  Approximation_error initial_error;
 
-  /// the distance of the reference to the mesh before and after; `0` unless both directions are guaranteed
-  Approximation_error initial_error_from_reference, final_error_from_reference;
+  /// the same afterwards
+  Approximation_error final_error;
+
+  /// the distance from the reference to the mesh before; `0` unless both directions are guaranteed
+  Approximation_error initial_error_from_reference;
+
+  /// the same afterwards; with `LEAST_SQUARES` at the samples that the mesh was fitted to, where it is smaller than between
+  /// them
+  Approximation_error final_error_from_reference;
 
   /// the relative change of the volume that the mesh encloses; `0` if it is not closed
   double volume_change = 0;

@@ -33,12 +33,16 @@ namespace Polygon_mesh_processing {
  * and shortens moves that flip a face. It is Algorithm 1 of \cgalCite{vlo2012}; its equations (1) to (4) are those
  * of the fit and of the springs.
  *
- * As sampled, the result is never worse than the input: neither the mean nor the maximum distance of `pmesh` to the reference is
- * larger than before; no face is flipped, that is, has turned by more than 60 degrees or opposes the reference where it
- * did not before; and no face has collapsed, to a smallest angle below 10 degrees and below half of what it was. To that
- * end the distance is sampled at the vertices, the midpoints of the edges and the barycenters of the faces, and at 45
- * points of the faces that come near the maximum; moves are shortened where they do harm. The distance in the other
- * direction, from the reference to `pmesh`, is not guaranteed.
+ * As far as its samples tell, the result is never worse than the input. Neither the mean nor the maximum distance from
+ * `pmesh` to the reference is larger than before; with `guarantee_both_directions` the same holds for the distances from
+ * the reference to `pmesh`. No face is flipped, that is, has turned by more than 60 degrees or opposes the reference where
+ * it did not before. No face has collapsed, to a smallest angle below 10 degrees, below half of what it was, and below
+ * those of all faces around it at first. No edge is folded by more than a right angle that is also folded more sharply than
+ * all edges at its ends were, by 5 degrees, and than the reference turns there, by 10 degrees. To that end the distance is
+ * sampled at some 65536 points, at least four on each face, and its maximum is searched for by branch and bound, with a
+ * margin of 1%. Moves are shortened only where they do harm. If the mean does not fall by more than 0.75% even so, which is
+ * how exactly two measured means can be compared, all are taken back. The section \ref secVLOGuarantee says what this may
+ * miss.
  *
  * The faces may have any number of corners. One with more than three stands for the mean of its fans, one from each of its
  * corners, all with the same weight: a quad is both its pairs of triangles, half each. So nothing depends on which corner comes
@@ -46,7 +50,8 @@ namespace Polygon_mesh_processing {
  * these triangles; springs act along the edges of the faces. The section \ref secVLOPolygons says more.
  *
  * The computations are done in double precision, whatever the kernel of the points; with an exact one the points of the
- * vertices that move are converted. The result does not depend on the number of threads.
+ * vertices that move are converted. The result does not depend on the number of threads. The points are written at the
+ * end: if the visitor, a functor or a property map throws an exception before, `pmesh` is as it was.
  *
  * An iteration takes \cgalBigO{n \log m} time for \f$ n \f$ vertices and a reference of \f$ m \f$ faces.
  *
@@ -170,6 +175,24 @@ namespace Polygon_mesh_processing {
  *                           triangles of one face do not count against each other.}
  *     \cgalParamType{Boolean}
  *     \cgalParamDefault{`false`; with `LEAST_SQUARES` `true`}
+ *   \cgalParamNEnd
+ *
+ *   \cgalParamNBegin{guarantee_both_directions}
+ *     \cgalParamDescription{If `true`, the mean and the maximum distance from the reference to `pmesh` are measured, too,
+ *                           and are not larger than before. By them one sees that a thin part has become shorter.}
+ *     \cgalParamType{Boolean}
+ *     \cgalParamDefault{`false`; with `LEAST_SQUARES` `true`}
+ *     \cgalParamExtra{The reference must be a mesh, a `PN_triangle_surface`, or a `Flat_triangle_surface`. Another model of
+ *                     `ReferenceSurface` cannot be sampled, and the parameter is then without effect.}
+ *   \cgalParamNEnd
+ *
+ *   \cgalParamNBegin{preserve_volume}
+ *     \cgalParamDescription{If `true` and both are closed, the vertices are moved along the normals at the end so that
+ *                           `pmesh` encloses the volume of the reference. Constrained vertices stay, and so do those whose
+ *                           move would violate the guarantee. The report says whether it has been possible.}
+ *     \cgalParamType{Boolean}
+ *     \cgalParamDefault{`false`}
+ *     \cgalParamExtra{Of models of `ReferenceSurface` only those of this package are known to be closed.}
  *   \cgalParamNEnd
  *
  *   \cgalParamNBegin{visitor}

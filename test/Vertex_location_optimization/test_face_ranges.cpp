@@ -121,8 +121,7 @@ void test_errors()
   // by default the samples of a face follow the precision of the mean over all
   PMP::approximation_error(mesh, reference, params::face_error_map(expected).number_of_points_per_face(64));
   const PMP::Approximation_error error = PMP::approximation_error(
-    range, mesh, reference,
-    params::face_error_map(errors).vertex_error_map(vertex_errors).number_of_points_per_face(64));
+    range, mesh, reference, params::face_error_map(errors).vertex_error_map(vertex_errors).number_of_points_per_face(64));
   double largest = 0, smallest = 1;
   for(const Face f : mesh.faces())
   {

@@ -104,8 +104,7 @@ void test_errors()
     const auto face_errors = polygons.add_property_map<Face, double>("f:error", -1).first;
     const auto vertex_errors = polygons.add_property_map<Vertex, double>("v:error", -1).first;
     const PMP::Approximation_error error = PMP::approximation_error(
-      polygons, sphere,
-      params::face_error_map(face_errors).vertex_error_map(vertex_errors).number_of_points_per_face(64));
+      polygons, sphere, params::face_error_map(face_errors).vertex_error_map(vertex_errors).number_of_points_per_face(64));
     CHECK_NEAR(error.mean, mean / area, 1e-12);
     CHECK_NEAR(error.rms, std::sqrt(square / area), 1e-12);
     CHECK_NEAR(error.max, max, precision * max);

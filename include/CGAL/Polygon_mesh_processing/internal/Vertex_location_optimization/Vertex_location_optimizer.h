@@ -39,8 +39,7 @@ public:
                             Visitor& visitor,
                             Remesh& remesh)
     : m_reference(reference), m_options(options), m_allow_move(allow_move),
-      m_find_self_intersections(find_self_intersections), m_visitor(visitor), m_remesh(remesh),
-      m_smallest_angles(remesh),
+      m_find_self_intersections(find_self_intersections), m_visitor(visitor), m_remesh(remesh), m_smallest_angles(remesh),
       m_corrections(remesh.points.size())
   {}
 

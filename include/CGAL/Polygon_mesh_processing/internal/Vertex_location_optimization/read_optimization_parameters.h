@@ -55,8 +55,7 @@ Optimization_options read_options(const NamedParameters& np)
     options.regularity_weight = regularity_weight;
   options.guarantee_both_directions =
     choose_parameter(get_parameter(np, internal_np::guarantee_both_directions), options.guarantee_both_directions);
-  options.preserve_volume =
-    choose_parameter(get_parameter(np, internal_np::preserve_volume), options.preserve_volume);
+  options.preserve_volume = choose_parameter(get_parameter(np, internal_np::preserve_volume), options.preserve_volume);
   return options;
 }
 

@@ -62,9 +62,9 @@ public:
   template <typename ConcurrencyTag>
   Approximation_error error() const
   {
-    return sum_over_indices<ConcurrencyTag, Error_integral>(m_distances.size(), [&](std::size_t i) {
-             return integral_of_sample(m_samples.weights[i], m_distances[i]);
-           }).error();
+    return sum_over_indices<ConcurrencyTag, Error_integral>(
+             m_distances.size(), [&](std::size_t i) { return integral_of_sample(m_samples.weights[i], m_distances[i]); })
+      .error();
   }
 
   // Where walking may have led astray it is too soon to give up: searches for all closest points, with the vertices at the

@@ -103,11 +103,13 @@ private:
     constexpr double cosine_of_bend = 0.8; // of 37 degrees; it trades time for exactness
     const Vector n = reference.normal(midpoint_feet[0]);
     const auto is_close = [&](const auto& foot) { return reference.normal(foot) * n >= cosine_of_bend; };
-    return std::all_of(feet.begin(), feet.end(), is_close) && std::all_of(midpoint_feet.begin(), midpoint_feet.end(), is_close);
+    return std::all_of(feet.begin(), feet.end(), is_close) &&
+           std::all_of(midpoint_feet.begin(), midpoint_feet.end(), is_close);
   }
 
   template <typename Foot>
-  static const Foot& nearest_hint(const Coordinates& x, const std::array<Foot, 3>& feet, const std::array<Foot, 3>& midpoint_feet)
+  static const Foot&
+  nearest_hint(const Coordinates& x, const std::array<Foot, 3>& feet, const std::array<Foot, 3>& midpoint_feet)
   {
     const std::array<double, 3> lambda = x.barycentric();
     const auto largest = std::max_element(lambda.begin(), lambda.end()) - lambda.begin();

@@ -44,7 +44,9 @@ public:
     const double size = radius(t);
     const int min_level = level_of_reference(t, hint);
     constexpr double near = 0; // the corners are searched for
-    Part whole{ { sample(t, { 0, 0 }, hint, near), sample(t, { 1, 0 }, hint, near), sample(t, { 0, 1 }, hint, near) }, 1, 0 };
+    Part whole{ { sample(t, { 0, 0 }, hint, near), sample(t, { 1, 0 }, hint, near), sample(t, { 0, 1 }, hint, near) },
+                1,
+                0 };
     double largest = bound;
     const auto is_done = [&] { return is_any_enough && largest > bound; };
     boost::container::small_vector<Part, 64> parts{ whole };
@@ -101,7 +103,8 @@ private:
   // how far the points of a triangle are from its nearest corner at most, roughly: exactly if it is equilateral
   static double radius(const Triangle& t)
   {
-    return std::sqrt((std::max)({ squared_distance(t[0], t[1]), squared_distance(t[1], t[2]), squared_distance(t[2], t[0]) }) / 3);
+    return std::sqrt(
+      (std::max)({ squared_distance(t[0], t[1]), squared_distance(t[1], t[2]), squared_distance(t[2], t[0]) }) / 3);
   }
 
   static double upper_bound(const Part& part, const double size)

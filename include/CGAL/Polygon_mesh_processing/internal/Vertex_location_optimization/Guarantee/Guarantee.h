@@ -68,7 +68,7 @@ public:
             Remesh& remesh,
             Corrections& corrections)
     : m_initial(initial), m_distances(reference, remesh, std::move(samples)),
-      m_distances_from_reference(reference, remesh, std::move(area_samples)), 
+      m_distances_from_reference(reference, remesh, std::move(area_samples)),
       m_shapes{ { remesh, smallest_angles }, { remesh, Reference_normals{ m_distances } } }, m_allow_move(allow_move),
       m_new_intersections(remesh, find_self_intersections), m_remesh(remesh), m_corrections(corrections),
       m_is_worse(remesh.number_of_faces(), false), m_number_of_halvings(remesh.points.size(), 0)
@@ -171,8 +171,8 @@ private:
   bool is_worse(std::size_t f) const
   {
     constexpr double margin = 0.99; // for what is between the samples
-    return has_moved(f) && (m_distances.orientation(f) > m_initial.orientations[f] ||
-                            m_distances.exceeds(f, margin * m_initial.error.max));
+    return has_moved(f) &&
+           (m_distances.orientation(f) > m_initial.orientations[f] || m_distances.exceeds(f, margin * m_initial.error.max));
   }
 
   // of each face that is worse the vertex with the most of them

@@ -47,16 +47,17 @@ Initial_quality measure_initial_quality(const Reference& reference,
       feet[k] = samples.vertices.hint(remesh.face(f)[k]);
       midpoint_feet[k] = samples.midpoints.hint(remesh.face_edges[f][k]);
     }
-    const Face_distances d = sampling.measure(reference, f, remesh.triangle(f), feet, midpoint_feet,
-                                              measure.distances.maximum_on_sides(remesh, f));
+    const Face_distances d =
+      sampling.measure(reference, f, remesh.triangle(f), feet, midpoint_feet, measure.distances.maximum_on_sides(remesh, f));
     maxima[f] = (std::max)(d.max, measure.distances.maximum(remesh, f));
     const double area = remesh.area(f);
     return Error_integral{ area, area * d.mean, area * d.mean_square, maxima[f] };
   });
 
   Initial_quality quality{ integral.error(), measure.error_from_reference, std::move(measure.orientations) };
-  quality.error.max = largest_distance(reference, remesh, remesh.points, [&](std::size_t f) { return maxima[f]; },
-                                       [&](std::size_t f) { return samples.vertices.hint(remesh.first_vertex(f)); });
+  quality.error.max = largest_distance(
+    reference, remesh, remesh.points, [&](std::size_t f) { return maxima[f]; },
+    [&](std::size_t f) { return samples.vertices.hint(remesh.first_vertex(f)); });
   return quality;
 }
 

@@ -96,8 +96,8 @@ public:
   template <typename ConcurrencyTag>
   std::vector<Index> update()
   {
-    const std::vector<Index> vertices = find_indices<ConcurrencyTag>(
-      m_points.size(), [&](std::size_t i) { return m_points[i] != m_remesh.next_points[i]; });
+    const std::vector<Index> vertices =
+      find_indices<ConcurrencyTag>(m_points.size(), [&](std::size_t i) { return m_points[i] != m_remesh.next_points[i]; });
     std::vector<Index> edges, faces;
     for(Index i : vertices)
       m_remesh.for_each_corner(i, [&](Index c) {
@@ -122,10 +122,13 @@ public:
   template <typename ConcurrencyTag>
   Approximation_error error() const
   {
-    return sum_over_indices<ConcurrencyTag, Error_integral>(m_remesh.number_of_faces(), [&](std::size_t f) {
-             const double area = m_remesh.area(f, m_remesh.next_points);
-             return Error_integral{ area, area * m_faces[f].mean, area * m_faces[f].mean_square, sampled_maximum(f) };
-           }).error();
+    return sum_over_indices<ConcurrencyTag, Error_integral>(
+             m_remesh.number_of_faces(),
+             [&](std::size_t f) {
+               const double area = m_remesh.area(f, m_remesh.next_points);
+               return Error_integral{ area, area * m_faces[f].mean, area * m_faces[f].mean_square, sampled_maximum(f) };
+             })
+      .error();
   }
 
   // the integral over face f
@@ -153,8 +156,9 @@ public:
 
   double maximum() const
   {
-    return largest_distance(m_reference, m_remesh, m_remesh.next_points, [&](std::size_t f) { return sampled_maximum(f); },
-                            [&](std::size_t f) { return hint(f); });
+    return largest_distance(
+      m_reference, m_remesh, m_remesh.next_points, [&](std::size_t f) { return sampled_maximum(f); },
+      [&](std::size_t f) { return hint(f); });
   }
 
   // Whether the largest distance on face f is larger than `limit` and than with the initial points.
@@ -185,20 +189,23 @@ private:
       feet[k] = m_vertices.hints[m_remesh.face(f)[k]];
       midpoint_feet[k] = m_midpoints.hints[m_remesh.face_edges[f][k]];
     }
-    return m_sampling.measure(m_reference, f, m_remesh.triangle(f, points), feet, midpoint_feet,
-                              maximum_on_sides(f), m_is_exact);
+    return m_sampling.measure(m_reference, f, m_remesh.triangle(f, points), feet, midpoint_feet, maximum_on_sides(f),
+                              m_is_exact);
   }
 
   double maximum_on_sides(std::size_t f) const
   {
     double result = 0;
     for(int k = 0; k < 3; ++k)
-      result = (std::max)({ result, m_vertices.distances[m_remesh.face(f)[k]],
-                            m_midpoints.distances[m_remesh.face_edges[f][k]] });
+      result =
+        (std::max)({ result, m_vertices.distances[m_remesh.face(f)[k]], m_midpoints.distances[m_remesh.face_edges[f][k]] });
     return result;
   }
 
-  void measure_vertex(std::size_t i) { m_vertices.measure(i, *this, m_points[i], m_remesh.next_points[i], m_remesh.lengths[i]); }
+  void measure_vertex(std::size_t i)
+  {
+    m_vertices.measure(i, *this, m_points[i], m_remesh.next_points[i], m_remesh.lengths[i]);
+  }
 
   void measure_midpoint(std::size_t e)
   {

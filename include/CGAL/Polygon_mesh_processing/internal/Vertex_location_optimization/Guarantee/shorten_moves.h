@@ -55,8 +55,7 @@ inline void halve_move(const Point& origin, Point& next, unsigned char& number_o
 
 // Takes back the moves from `origins` to the next points that the user does not allow; returns whether there were any.
 template <typename AllowMove>
-bool refuse_moves(
-  Remesh& remesh, const std::vector<Point>& origins, const AllowMove& allow_move, Corrections& corrections)
+bool refuse_moves(Remesh& remesh, const std::vector<Point>& origins, const AllowMove& allow_move, Corrections& corrections)
 {
   bool is_refused = false;
   for(std::size_t i = 0; i < origins.size(); ++i)

@@ -24,8 +24,7 @@ walk_or_search(const Reference& reference, const Point& p, const typename Refere
   const auto foot = reference.project_locally(p, hint);
   const Vector offset = p - reference.point(foot);
   const double distance2 = offset.squared_length();
-  const bool is_sure =
-    distance2 <= square(near) && square(offset * reference.normal(foot)) >= square(cosine) * distance2;
+  const bool is_sure = distance2 <= square(near) && square(offset * reference.normal(foot)) >= square(cosine) * distance2;
   return is_sure ? foot : reference.project(p, foot);
 }
 

@@ -107,8 +107,8 @@ private:
       u = std::clamp(u, 0., 1.);
       return Coordinates{ u, std::clamp(v, 0., 1 - u) };
     };
-    return { inside(x.u + step, x.v),        inside(x.u - step, x.v),        inside(x.u, x.v + step),
-             inside(x.u, x.v - step),        inside(x.u + step, x.v - step), inside(x.u - step, x.v + step) };
+    return { inside(x.u + step, x.v), inside(x.u - step, x.v),        inside(x.u, x.v + step),
+             inside(x.u, x.v - step), inside(x.u + step, x.v - step), inside(x.u - step, x.v + step) };
   }
 
   struct Candidate
@@ -180,9 +180,7 @@ private:
     for(std::size_t begin = 0; begin < order.size() && number_of_cuts < effort.most_cuts; begin += batch_size)
     {
       const std::size_t size = (std::min)(batch_size, order.size() - begin);
-      for_each_index<ConcurrencyTag>(size, [&](std::size_t i) {
-        results[i] = search_face(order[begin + i], effort);
-      });
+      for_each_index<ConcurrencyTag>(size, [&](std::size_t i) { results[i] = search_face(order[begin + i], effort); });
       for(std::size_t i = 0; i < size; ++i)
       {
         double& max = m_faces[order[begin + i]].max;

@@ -223,8 +223,8 @@ private:
 
   static constexpr double default_weight = 0.135;
   const double m_regularity_weight;
-  const bool m_keeps_shapes;        // of M_0, where they are irregular: unless the user has chosen the weight
-  std::vector<double> m_regularity; // of M_0
+  const bool m_keeps_shapes;               // of M_0, where they are irregular: unless the user has chosen the weight
+  std::vector<double> m_regularity;        // of M_0
   double m_displacement_along_normals = 0; // of the last iteration, relative to the lengths, root mean square
 };
 

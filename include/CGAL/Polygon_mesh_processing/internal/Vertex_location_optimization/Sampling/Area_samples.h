@@ -78,9 +78,8 @@ double largest_distance_from(const Reference& reference,
   std::vector<Index> order(points.size());
   std::iota(order.begin(), order.end(), Index(0));
   const auto end = order.begin() + (std::min)(max_samples, order.size());
-  std::partial_sort(order.begin(), end, order.end(), [&](Index i, Index j) {
-    return distances[i] != distances[j] ? distances[i] > distances[j] : i < j;
-  });
+  std::partial_sort(order.begin(), end, order.end(),
+                    [&](Index i, Index j) { return distances[i] != distances[j] ? distances[i] > distances[j] : i < j; });
   double largest = 0;
   for(auto i = order.begin(); i != end; ++i)
   {

@@ -239,7 +239,7 @@ private:
   // of the current polygon
   std::vector<halfedge_descriptor> m_corners; // to them
   std::vector<Index> m_vertices;
-  std::vector<Index> m_sides; // the edges, as those of `Fan_triangle`
+  std::vector<Index> m_sides;                               // the edges, as those of `Fan_triangle`
   std::vector<std::array<Index, 3>> m_corners_of_triangles; // of the faces
 };
 

@@ -1,0 +1,109 @@
+// Copyright (c) 2026 The Vertex_location_optimization authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_MEASURE_DEVIATIONS_H
+#define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_MEASURE_DEVIATIONS_H
+
+#include <CGAL/Polygon_mesh_processing/approximation_error.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Measure/measure_error.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/Flat_triangle.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/Patch_tree.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/for_each_index.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/Mesh_arrays.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
+
+// The vertices of the input and points spread evenly over it, each of which stands for `area_of_sample`, on the reference
+// that it was made into; on the reference itself if that can be sampled.
+template <typename ConcurrencyTag, typename Reference, typename InputPatches>
+std::vector<Point> sample_reference(const Reference& reference,
+                                    const Mesh_arrays& input,
+                                    const InputPatches& input_patches,
+                                    double area_of_sample)
+{
+  std::vector<Point> samples = input.points;
+  const bool is_sampled = reference.area() > 0;
+  if(is_sampled)
+    reference.for_each_area_sample(area_of_sample, [&](const auto& foot) { samples.push_back(reference.point(foot)); });
+  else
+    input_patches.for_each_area_sample(area_of_sample,
+                                       [&](const auto& foot) { samples.push_back(input_patches.point(foot)); });
+  for_each_index<ConcurrencyTag>(is_sampled ? input.points.size() : samples.size(),
+                                 [&](std::size_t i) { samples[i] = reference.point(reference.project(samples[i])); });
+  return samples;
+}
+
+// the faces of a mesh to measure the distance to
+inline Patch_tree<Flat_triangle> make_face_tree(const Mesh_arrays& mesh)
+{
+  std::vector<Flat_triangle> triangles(mesh.number_of_faces());
+  for(std::size_t f = 0; f < triangles.size(); ++f)
+    triangles[f] = Flat_triangle(mesh.triangle(f));
+  return Patch_tree<Flat_triangle>(std::move(triangles));
+}
+
+// The face that a sample is closest to, and its distance.
+using Face_and_distance = std::pair<Index, double>;
+
+template <typename ConcurrencyTag>
+std::vector<Face_and_distance> measure_distances(const std::vector<Point>& samples, const Mesh_arrays& mesh)
+{
+  constexpr std::size_t block_size = 512;
+  const Patch_tree<Flat_triangle> tree = make_face_tree(mesh);
+  std::vector<Face_and_distance> distances(samples.size());
+  for_each_block<ConcurrencyTag>(samples.size(), block_size, [&](std::size_t begin, std::size_t end) {
+    Patch_foot foot;
+    for(std::size_t i = begin; i < end; ++i)
+    {
+      foot = tree.project(samples[i], foot.patch); // the next sample is near
+      distances[i] = { foot.patch, norm(samples[i] - tree.point(foot)) };
+    }
+  });
+  return distances;
+}
+
+// For each face the largest distance from it to the reference, and from the samples of the reference that it is closest to.
+template <typename ConcurrencyTag, typename Reference>
+std::vector<double>
+measure_deviations(const Mesh_arrays& mesh, const Reference& reference, const std::vector<Point>& samples)
+{
+  constexpr std::size_t number_of_points = 36;
+  const auto faces =
+    measure_faces<ConcurrencyTag>(mesh, reference, project_vertices<ConcurrencyTag>(mesh, reference), number_of_points);
+  std::vector<double> deviations;
+  deviations.reserve(faces.size());
+  for(const Face_error& face : faces)
+    deviations.push_back(face.max);
+  for(const auto& [face, distance] : measure_distances<ConcurrencyTag>(samples, mesh))
+    deviations[face] = (std::max)(deviations[face], distance);
+  return deviations;
+}
+
+// The distance of the samples to a mesh; the vertices of the input, which come first, count for the maximum only.
+template <typename ConcurrencyTag>
+Approximation_error
+measure_samples(const std::vector<Point>& samples, std::size_t number_of_vertices, const Mesh_arrays& mesh)
+{
+  Error_sum sum;
+  std::size_t i = 0;
+  for(const auto& [face, distance] : measure_distances<ConcurrencyTag>(samples, mesh))
+  {
+    const double weight = i++ < number_of_vertices ? 0 : 1;
+    sum.area += weight;
+    sum.distance += weight * distance;
+    sum.squared_distance += weight * distance * distance;
+    sum.max = (std::max)(sum.max, distance);
+  }
+  return { sum.mean(), sum.rms(), sum.max };
+}
+
+} // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
+
+#endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_MEASURE_DEVIATIONS_H

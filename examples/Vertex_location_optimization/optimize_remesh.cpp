@@ -17,6 +17,7 @@
 #include <CGAL/Polygon_mesh_processing/optimize_vertex_locations.h>
 #include <CGAL/Polygon_mesh_processing/PN_triangle_surface.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
+#include <CGAL/Polygon_mesh_processing/remesh_within_tolerance.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/subdivision_method_3.h>
 #include <CGAL/Surface_mesh.h>
@@ -39,6 +40,7 @@
 #include <iostream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
@@ -58,6 +60,9 @@ struct Settings
   std::string reference = "pn";
   double edge_length = 0.02;
   bool is_absolute = false;
+  double tolerance = 0; // 0: none, the edge length is given
+  bool is_tolerance_relative = false;
+  PMP::Tolerated_error tolerated_error = PMP::MAXIMUM_ERROR;
   unsigned int remeshing_iterations = 10;
   double crease_angle = 180;
   double sharpness_angle = 40;
@@ -82,6 +87,33 @@ std::string format_of(const std::string& name)
   return "off";
 }
 
+// Reads a tolerance: a length, or a part of the longest side in percent.
+void read_tolerance(const std::string& text, Settings& s)
+{
+  char* end = nullptr;
+  s.tolerance = std::strtod(text.c_str(), &end);
+  s.is_tolerance_relative = *end == '%';
+  if(s.is_tolerance_relative)
+  {
+    s.tolerance /= 100;
+    ++end;
+  }
+  if(text.empty() || *end != 0 || !(s.tolerance > 0) || !std::isfinite(s.tolerance))
+    throw std::runtime_error("--tolerance must be a positive length, or one in percent of the longest side, as in 0.5%");
+}
+
+void read_tolerated_error(const std::string& text, Settings& s)
+{
+  for(const auto& [name, kind] :
+      { std::pair("max", PMP::MAXIMUM_ERROR), std::pair("mean", PMP::MEAN_ERROR), std::pair("rms", PMP::RMS_ERROR) })
+    if(text == name)
+    {
+      s.tolerated_error = kind;
+      return;
+    }
+  throw std::runtime_error("--tolerated-error must be max, mean or rms");
+}
+
 // Reads the command line. Returns false if it asks for help, which is given.
 bool read_settings(int argc, char* argv[], Settings& s)
 {
@@ -92,6 +124,11 @@ bool read_settings(int argc, char* argv[], Settings& s)
     ("edge-length,l", po::value(&s.edge_length)->default_value(s.edge_length, "0.02"),
      "target edge length of the remesh, relative to the longest side of the bounding box")
     ("absolute,a", po::bool_switch(&s.is_absolute), "the edge length is in the unit of the input")
+    ("tolerance,t", po::value<std::string>(),
+     "instead of an edge length: find the coarsest remesh whose largest distance from the faces of the input, in both "
+     "directions, is at most this length, or percentage of the longest side, as in 0.5%; implies --least-squares and "
+     "--relax-constraints, and --reference flat unless another one is given")
+    ("tolerated-error", po::value<std::string>()->default_value("max"), "what --tolerance is for: max, mean or rms")
     ("remesh,r", po::value(&s.remesh), "take this remesh instead of remeshing the input")
     ("remeshing-iterations", po::value(&s.remeshing_iterations)->default_value(s.remeshing_iterations),
      "iterations of isotropic_remeshing()")
@@ -132,7 +169,8 @@ bool read_settings(int argc, char* argv[], Settings& s)
   {
     std::cout << "Usage: optimize_remesh [options] MESH\n\n"
               << "Remeshes MESH, optimizes the locations of the vertices, prints the errors before and after, and\n"
-              << "writes remesh and optimized, each also with its errors as colors (.ply) and as a scalar (.vtp).\n"
+              << "writes remesh and optimized, each also with its errors as colors (.ply) and as a scalar (.vtp);\n"
+              << "with --tolerance optimized only, and it exits with 2 if no remesh is within the tolerance.\n"
               << "Both keep the colors and normals of the vertices that MESH has (.ply, .off), and its texture\n"
               << "coordinates (.obj).\n\n"
               << options;
@@ -145,6 +183,15 @@ bool read_settings(int argc, char* argv[], Settings& s)
       throw std::runtime_error(message);
   };
   require(!s.input.empty(), "which mesh? See --help");
+  read_tolerated_error(values["tolerated-error"].as<std::string>(), s);
+  if(values.count("tolerance"))
+  {
+    read_tolerance(values["tolerance"].as<std::string>(), s);
+    require(s.remesh.empty() && values["edge-length"].defaulted(),
+            "--tolerance finds the edge length and remeshes: it goes with neither --edge-length nor --remesh");
+    if(values["reference"].defaulted())
+      s.reference = "flat";
+  }
   require(s.edge_length > 0 && std::isfinite(s.edge_length), "--edge-length must be positive");
   require(s.is_absolute || s.edge_length <= 1, "--edge-length is relative and must not exceed 1; see --absolute");
   require(s.crease_angle >= 0 && s.sharpness_angle >= 0, "angles must not be negative");
@@ -256,6 +303,16 @@ void print_table(const Measures& before, const Measures& after, double side)
   std::printf("  Errors in 1/10000 of the longest side of the bounding box.\n\n");
 }
 
+// whether someone is looking
+bool is_terminal()
+{
+#ifdef _WIN32
+  return _isatty(_fileno(stderr)) != 0;
+#else
+  return isatty(fileno(stderr)) != 0;
+#endif
+}
+
 // Shows the progress on a terminal.
 class Progress_bar : public PMP::Vertex_location_optimization_default_visitor
 {
@@ -275,17 +332,48 @@ public:
   }
 
 private:
-  static bool is_terminal()
-  {
-#ifdef _WIN32
-    return _isatty(_fileno(stderr)) != 0;
-#else
-    return isatty(fileno(stderr)) != 0;
-#endif
-  }
-
   std::size_t m_iterations;
   bool m_is_visible;
+};
+
+// Prints a row for each attempt of a search, and shows on a terminal what goes on in it.
+class Table_of_attempts : public PMP::Tolerance_default_visitor
+{
+public:
+  explicit Table_of_attempts(double side) : m_side(side), m_is_visible(is_terminal())
+  {
+    std::printf("\n   edge length  vertices       mean       rms   maximum  mean back  max. back\n");
+  }
+
+  void start_remeshing(double edge_length)
+  {
+    m_edge_length = edge_length;
+    show("remeshing");
+  }
+
+  void end_iteration(const PMP::Vertex_location_optimization_report&) { show("optimizing"); }
+
+  void end_remeshing(const PMP::Tolerance_report& r)
+  {
+    if(m_is_visible)
+      std::cerr << "\r\033[K" << std::flush;
+    const double unit = 1e-4 * m_side;
+    std::printf("  %12.6g %9zu %10.3f %9.3f %9.3f %10.3f %10.3f  %s\n", r.edge_length, r.number_of_vertices,
+                r.to_reference.mean / unit, r.to_reference.rms / unit, r.to_reference.max / unit,
+                r.from_reference.mean / unit, r.from_reference.max / unit, r.is_within_tolerance ? "within" : "beyond");
+    std::fflush(stdout);
+  }
+
+private:
+  void show(const char* phase) const
+  {
+    if(m_is_visible)
+      std::cerr << "\r\033[K" << phase << ", edge length " << m_edge_length << std::flush;
+  }
+
+  double m_side;
+  bool m_is_visible;
+  double m_edge_length = 0;
 };
 
 // the sharp edges, and the seams of the texture
@@ -358,14 +446,76 @@ void optimize(const Settings& s, const Mesh& input, Mesh& mesh, Crease_map is_cr
               s.output.c_str(), s.output.c_str(), largest_color, largest_color / side * 1e4);
 }
 
-template <typename Concurrency>
-void run(const Settings& s)
+// Finds the coarsest remesh within the tolerance, and writes it. Returns whether there is one.
+template <typename Concurrency, typename Surface>
+bool remesh_within_tolerance(const Settings& s, const Mesh& input, Crease_map is_crease, const Surface& reference)
 {
-  const Mesh input = read_mesh(s.input);
+  const double side = longest_side(input), tolerance = s.is_tolerance_relative ? s.tolerance * side : s.tolerance;
+  const auto remesh = [&](Mesh& mesh, double edge_length, const auto& is_constrained, const auto& is_corner) {
+    PMP::isotropic_remeshing(faces(mesh), edge_length, mesh,
+                             CGAL::parameters::number_of_iterations(s.remeshing_iterations)
+                               .number_of_relaxation_steps(3)
+                               .edge_is_constrained_map(is_constrained)
+                               .vertex_is_constrained_map(is_corner));
+  };
+  Mesh mesh;
+  Table_of_attempts table(side);
+  CGAL::Real_timer timer;
+  timer.start();
+  const PMP::Tolerance_report report =
+    PMP::remesh_within_tolerance<Concurrency>(input, tolerance, mesh, remesh,
+                                              CGAL::parameters::tolerated_error(s.tolerated_error)
+                                                .reference_surface(std::cref(reference))
+                                                .regularity_weight(s.regularity_weight)
+                                                .number_of_iterations(s.iterations)
+                                                .edge_is_constrained_map(is_crease)
+                                                .visitor(std::ref(table)));
+  std::printf("  Errors in 1/10000 of the longest side of the bounding box; the tolerance is %.3f.\n\n",
+              tolerance / side * 1e4);
+  if(report.number_of_vertices == 0)
+    throw std::runtime_error("nothing is left of the mesh, whatever the edge length");
+  std::printf("%s: %zu vertices, edge length %.6g, %zu remeshings, %.2f s\n",
+              report.is_within_tolerance ? "within the tolerance" : "the smallest error, but NOT within the tolerance",
+              report.number_of_vertices, report.edge_length, report.number_of_remeshings, timer.time());
+
+  mesh.collect_garbage();
+  Error_map errors = mesh.add_property_map<Mesh::Vertex_index, double>("v:error").first;
+  PMP::approximation_error<Concurrency>(mesh, reference, CGAL::parameters::vertex_error_map(errors));
+  const double largest_color = s.largest_color > 0 ? s.largest_color : 3 * report.to_reference.mean;
+  transfer_attributes<Concurrency>(input, reference, mesh, CGAL::Static_boolean_property_map<Mesh::Edge_index, false>());
+  write_mesh_with_attributes(s.output + "optimized." + s.format, mesh);
+  write_colored_PLY(s.output + "optimized_error.ply", mesh, errors, largest_color);
+  write_VTP(s.output + "optimized_error.vtp", mesh, "error", errors);
+  std::printf("written: %soptimized*\n", s.output.c_str());
+  return report.is_within_tolerance;
+}
+
+template <typename Concurrency>
+bool remesh_within_tolerance(const Settings& s, Mesh& input)
+{
+  const Crease_map is_crease = mark_creases(input, s.crease_angle);
+  if(Mesh_attributes<Point> attributes(input); attributes.has_texture)
+  {
+    std::printf("texture coordinates are not kept with --tolerance\n");
+    input.remove_property_map(attributes.texture);
+  }
+  const auto creases = CGAL::parameters::sharpness_angle((std::min)(s.sharpness_angle, s.crease_angle));
+  if(s.reference == "flat")
+    return remesh_within_tolerance<Concurrency>(s, input, is_crease, PMP::Flat_triangle_surface<Mesh>(input, creases));
+  return remesh_within_tolerance<Concurrency>(s, input, is_crease, PMP::PN_triangle_surface<Mesh>(input, creases));
+}
+
+// Returns whether the result is as good as was asked for.
+template <typename Concurrency>
+bool run(const Settings& s)
+{
+  Mesh input = read_mesh(s.input);
   const double side = longest_side(input);
   if(!(side > 0))
     throw std::runtime_error(s.input + ": all its points are the same");
   std::printf("%s: %u vertices\n", std::filesystem::path(s.input).filename().string().c_str(), input.number_of_vertices());
+  if(s.tolerance > 0)
+    return remesh_within_tolerance<Concurrency>(s, input);
 
   CGAL::Real_timer timer;
   timer.start();
@@ -388,6 +538,7 @@ void run(const Settings& s)
   else
     optimize<Concurrency>(s, input, mesh, is_crease,
                           PMP::PN_triangle_surface<Mesh>(input, CGAL::parameters::sharpness_angle(s.sharpness_angle)));
+  return true;
 }
 
 int main(int argc, char* argv[])
@@ -397,11 +548,9 @@ int main(int argc, char* argv[])
     Settings settings;
     if(!read_settings(argc, argv, settings))
       return EXIT_SUCCESS;
-    if(settings.is_sequential)
-      run<CGAL::Sequential_tag>(settings);
-    else
-      run<CGAL::Parallel_if_available_tag>(settings);
-    return EXIT_SUCCESS;
+    const bool is_good =
+      settings.is_sequential ? run<CGAL::Sequential_tag>(settings) : run<CGAL::Parallel_if_available_tag>(settings);
+    return is_good ? EXIT_SUCCESS : 2;
   }
   catch(const std::exception& e)
   {

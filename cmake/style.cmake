@@ -20,13 +20,14 @@ endif()
 
 find_program(CLANG_TIDY NAMES clang-tidy clang-tidy-14)
 if(CLANG_TIDY AND CGAL_VERTEX_LOCATION_OPTIMIZATION_TESTS)
-  set(tidy_sources)
-  foreach(topic IN ITEMS named_parameters optimize_vertex_normals)
-    list(APPEND tidy_sources ${PROJECT_SOURCE_DIR}/test/Vertex_location_optimization/test_${topic}.cpp)
+  add_custom_target(tidy)
+  foreach(topic IN ITEMS named_parameters optimize_vertex_normals) # a target each, so that they can run at the same time
+    # CMake leaves out the standard where it is the compiler's default, which clang's may not be
+    add_custom_target(tidy_${topic} VERBATIM
+      COMMAND ${CLANG_TIDY} -p ${PROJECT_BINARY_DIR} --quiet --extra-arg=-std=c++17 --extra-arg=-Wno-unknown-warning-option
+              ${PROJECT_SOURCE_DIR}/test/Vertex_location_optimization/test_${topic}.cpp)
+    add_dependencies(tidy tidy_${topic})
   endforeach()
-  # CMake leaves out the standard where it is the compiler's default, which clang's may not be
-  add_custom_target(tidy VERBATIM
-    COMMAND ${CLANG_TIDY} -p ${PROJECT_BINARY_DIR} --quiet --extra-arg=-std=c++17 --extra-arg=-Wno-unknown-warning-option ${tidy_sources})
 else()
   message(STATUS "clang-tidy is not installed, or there are no tests: there is no target tidy.")
 endif()

@@ -2,7 +2,9 @@
 # Makes the pictures in doc/Vertex_location_optimization/fig/ with the examples, and the plots with the benchmarks, which
 # takes half an hour:
 #
-#   bash doc/Vertex_location_optimization/make_figures.sh [pictures|plots]
+#   bash doc/Vertex_location_optimization/make_figures.sh [pictures|plots [DIRECTORY]]
+#
+# The plot of Lucy in benchmark/ is made, too, if there is a lucy.off in DIRECTORY.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=../../cmake/setup.sh
 source "$(dirname "${BASH_SOURCE[0]}")/../../cmake/setup.sh"
@@ -10,7 +12,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/../../cmake/setup.sh"
 source "$root/examples/pictures.sh"
 what=${1:-all}
 
-need_packages "${base_packages[@]}" "${picture_packages[@]}"
+need_packages "${base_packages[@]}" "${picture_packages[@]}" gnuplot-nox
 need_data
 
 figures=$root/doc/Vertex_location_optimization/fig
@@ -83,15 +85,29 @@ draw_pictures()
     "PNG8:$figures/vertex_location_optimization.png"
 }
 
+# draw_curves DIRECTORY NAME Y_LABEL [CSV...]: NAME.svg in the directory, from NAME.csv or from others
+draw_curves()
+{
+  local directory=$1 name=$2 label=$3
+  shift 3
+  [ $# -gt 0 ] || set -- "$name"
+  (cd "$work" && gnuplot -c "$root/benchmark/Vertex_location_optimization/plot_curves.gp" \
+    "$directory/$name.svg" "$label" "${@/%/.csv}")
+}
+
 draw_plots()
 {
+  local benchmarks=$build_dir/benchmark/Vertex_location_optimization
   cmake --build "$build_dir" -j "$jobs" --target quality performance
   # the errors of remeshes with more and more vertices: the whole benchmark, which takes a quarter of an hour
-  (cd "$work" && "$build_dir/benchmark/Vertex_location_optimization/quality")
-  cp "$work/error_by_vertices_armadillo.svg" "$work/trade_off_armadillo.svg" "$figures"
+  (cd "$work" && "$benchmarks/quality" "$@")
+  draw_curves "$figures" error_by_vertices_armadillo "mean error, in 1/10000 of the size"
+  draw_curves "$figures" trade_off_armadillo ""
+  [ $# = 0 ] || draw_curves "$root/benchmark" error_by_vertices_lucy "mean error, in 1/10000 of the size"
   # the growth of the time, which takes some ten minutes
-  "$build_dir/benchmark/Vertex_location_optimization/performance" --sections growth --svg "$figures/growth.svg"
+  "$benchmarks/performance" --sections growth --growth "$work/growth"
+  draw_curves "$figures" growth seconds growth_with_remesh growth_with_reference
 }
 
 [ "$what" = plots ] || draw_pictures
-[ "$what" = pictures ] || draw_plots
+[ "$what" = pictures ] || draw_plots ${2:+"$(realpath "$2")"}

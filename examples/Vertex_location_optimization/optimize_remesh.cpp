@@ -7,6 +7,9 @@
 
 #include "mesh_attributes.h"
 #include "mesh_output.h"
+#include "optimize_remesh_settings.h"
+#include "Progress_bar.h"
+#include "Table_of_attempts.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/approximation_error.h>
@@ -22,14 +25,6 @@
 #include <CGAL/subdivision_method_3.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <boost/program_options.hpp>
-
-#ifdef _WIN32
-#include <io.h>
-#else
-#include <unistd.h>
-#endif
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -40,7 +35,6 @@
 #include <iostream>
 #include <stdexcept>
 #include <string>
-#include <utility>
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
@@ -49,163 +43,6 @@ using Crease_map = Mesh::Property_map<Mesh::Edge_index, bool>;
 using Error_map = Mesh::Property_map<Mesh::Vertex_index, double>;
 
 namespace PMP = CGAL::Polygon_mesh_processing;
-namespace po = boost::program_options;
-
-struct Settings
-{
-  std::string input;
-  std::string remesh;        // instead of remeshing
-  std::string output = "./"; // what the names of the files begin with
-  std::string format;        // empty: that of the input
-  std::string reference = "pn";
-  double edge_length = 0.02;
-  bool is_absolute = false;
-  double tolerance = 0; // 0: none, the edge length is given
-  bool is_tolerance_relative = false;
-  PMP::Tolerated_error tolerated_error = PMP::MAXIMUM_ERROR;
-  unsigned int remeshing_iterations = 10;
-  double crease_angle = 180;
-  double sharpness_angle = 40;
-  std::size_t iterations = 30;
-  std::size_t free_iterations = 20;
-  std::size_t relaxation_steps = 1;
-  bool is_least_squares = false;
-  double regularity_weight = 0.15; // of least squares
-  bool relax_constraints = false;
-  bool test_self_intersections = false;
-  bool is_sequential = false;
-  double largest_color = 0; // 0: three times the mean error of the remesh
-};
-
-// the extension of a file name, if meshes can be written so
-std::string format_of(const std::string& name)
-{
-  const std::string extension = std::filesystem::path(name).extension().string();
-  for(const char* format : { "obj", "ply", "stl" })
-    if(extension == std::string(".") + format)
-      return format;
-  return "off";
-}
-
-// Reads a tolerance: a length, or a part of the longest side in percent.
-void read_tolerance(const std::string& text, Settings& s)
-{
-  char* end = nullptr;
-  s.tolerance = std::strtod(text.c_str(), &end);
-  s.is_tolerance_relative = *end == '%';
-  if(s.is_tolerance_relative)
-  {
-    s.tolerance /= 100;
-    ++end;
-  }
-  if(text.empty() || *end != 0 || !(s.tolerance > 0) || !std::isfinite(s.tolerance))
-    throw std::runtime_error("--tolerance must be a positive length, or one in percent of the longest side, as in 0.5%");
-}
-
-void read_tolerated_error(const std::string& text, Settings& s)
-{
-  for(const auto& [name, kind] :
-      { std::pair("max", PMP::MAXIMUM_ERROR), std::pair("mean", PMP::MEAN_ERROR), std::pair("rms", PMP::RMS_ERROR) })
-    if(text == name)
-    {
-      s.tolerated_error = kind;
-      return;
-    }
-  throw std::runtime_error("--tolerated-error must be max, mean or rms");
-}
-
-// Reads the command line. Returns false if it asks for help, which is given.
-bool read_settings(int argc, char* argv[], Settings& s)
-{
-  po::options_description options("Options");
-  // clang-format off
-  options.add_options()
-    ("help,h", "print this help")
-    ("edge-length,l", po::value(&s.edge_length)->default_value(s.edge_length, "0.02"),
-     "target edge length of the remesh, relative to the longest side of the bounding box")
-    ("absolute,a", po::bool_switch(&s.is_absolute), "the edge length is in the unit of the input")
-    ("tolerance,t", po::value<std::string>(),
-     "instead of an edge length: find the coarsest remesh whose largest distance from the faces of the input, in both "
-     "directions, is at most this length, or percentage of the longest side, as in 0.5%; implies --least-squares and "
-     "--relax-constraints, and --reference flat unless another one is given")
-    ("tolerated-error", po::value<std::string>()->default_value("max"), "what --tolerance is for: max, mean or rms")
-    ("remesh,r", po::value(&s.remesh), "take this remesh instead of remeshing the input")
-    ("remeshing-iterations", po::value(&s.remeshing_iterations)->default_value(s.remeshing_iterations),
-     "iterations of isotropic_remeshing()")
-    ("crease-angle,c", po::value(&s.crease_angle)->default_value(s.crease_angle, "180"),
-     "constrain the edges that are sharper than this angle, in degrees")
-    ("relax-constraints", po::bool_switch(&s.relax_constraints), "fit creases and borders along themselves")
-    ("reference", po::value(&s.reference)->default_value(s.reference),
-     "what the input stands for: pn, a smooth surface, or flat, its faces as they are")
-    ("sharpness-angle", po::value(&s.sharpness_angle)->default_value(s.sharpness_angle, "40"),
-     "where the smooth surface has creases, in degrees")
-    ("iterations,n", po::value(&s.iterations)->default_value(s.iterations), "iterations of the optimization at most")
-    ("free-iterations", po::value(&s.free_iterations)->default_value(s.free_iterations),
-     "so many of them are not restricted to the normals")
-    ("relaxation-steps", po::value(&s.relaxation_steps)->default_value(s.relaxation_steps),
-     "steps of the springs in each free iteration")
-    ("least-squares", po::bool_switch(&s.is_least_squares),
-     "place the vertices by least squares over both surfaces instead of the piecewise linear method")
-    ("regularity-weight", po::value(&s.regularity_weight)->default_value(s.regularity_weight, "0.15"),
-     "what the shape of the triangles counts in least squares")
-    ("test-self-intersections", po::bool_switch(&s.test_self_intersections),
-     "cause no new self-intersection; least squares never does")
-    ("sequential", po::bool_switch(&s.is_sequential), "use one thread")
-    ("output,o", po::value(&s.output)->default_value(s.output), "what the names of the written files begin with")
-    ("format", po::value(&s.format), "format of the meshes: off, obj, ply, stl; default: that of the input")
-    ("largest-color", po::value(&s.largest_color),
-     "the error that is yellow, in the unit of the input; default: three times the mean error of the remesh");
-  // clang-format on
-  po::options_description hidden;
-  hidden.add_options()("input", po::value(&s.input));
-  po::positional_options_description positional;
-  positional.add("input", 1);
-  po::options_description all;
-  all.add(options).add(hidden);
-
-  po::variables_map values;
-  po::store(po::command_line_parser(argc, argv).options(all).positional(positional).run(), values);
-  if(values.count("help"))
-  {
-    std::cout << "Usage: optimize_remesh [options] MESH\n\n"
-              << "Remeshes MESH, optimizes the locations of the vertices, prints the errors before and after, and\n"
-              << "writes remesh and optimized, each also with its errors as colors (.ply) and as a scalar (.vtp);\n"
-              << "with --tolerance optimized only, and it exits with 2 if no remesh is within the tolerance.\n"
-              << "Both keep the colors and normals of the vertices that MESH has (.ply, .off), and its texture\n"
-              << "coordinates (.obj).\n\n"
-              << options;
-    return false;
-  }
-  po::notify(values);
-
-  auto require = [](bool condition, const std::string& message) {
-    if(!condition)
-      throw std::runtime_error(message);
-  };
-  require(!s.input.empty(), "which mesh? See --help");
-  read_tolerated_error(values["tolerated-error"].as<std::string>(), s);
-  if(values.count("tolerance"))
-  {
-    read_tolerance(values["tolerance"].as<std::string>(), s);
-    require(s.remesh.empty() && values["edge-length"].defaulted(),
-            "--tolerance finds the edge length and remeshes: it goes with neither --edge-length nor --remesh");
-    if(values["reference"].defaulted())
-      s.reference = "flat";
-  }
-  require(s.edge_length > 0 && std::isfinite(s.edge_length), "--edge-length must be positive");
-  require(s.is_absolute || s.edge_length <= 1, "--edge-length is relative and must not exceed 1; see --absolute");
-  require(s.crease_angle >= 0 && s.sharpness_angle >= 0, "angles must not be negative");
-  require(s.regularity_weight >= 0, "--regularity-weight must not be negative");
-  require(s.largest_color >= 0, "--largest-color must not be negative");
-  require(s.reference == "pn" || s.reference == "flat", "--reference must be pn or flat");
-  if(s.format.empty())
-    s.format = format_of(s.input);
-  require(s.format == "off" || s.format == "obj" || s.format == "ply" || s.format == "stl",
-          "--format must be off, obj, ply or stl");
-  const std::filesystem::path folder = std::filesystem::path(s.output + "remesh").parent_path();
-  require(folder.empty() || std::filesystem::is_directory(folder), folder.string() + ": there is no such folder");
-  return true;
-}
 
 Mesh read_mesh(const std::string& name)
 {
@@ -302,79 +139,6 @@ void print_table(const Measures& before, const Measures& after, double side)
   print_row("smallest angle (degrees)", before.regularity.min, after.regularity.min, false);
   std::printf("  Errors in 1/10000 of the longest side of the bounding box.\n\n");
 }
-
-// whether someone is looking
-bool is_terminal()
-{
-#ifdef _WIN32
-  return _isatty(_fileno(stderr)) != 0;
-#else
-  return isatty(fileno(stderr)) != 0;
-#endif
-}
-
-// Shows the progress on a terminal.
-class Progress_bar : public PMP::Vertex_location_optimization_default_visitor
-{
-public:
-  explicit Progress_bar(std::size_t iterations) : m_iterations(iterations), m_is_visible(is_terminal()) {}
-
-  ~Progress_bar()
-  {
-    if(m_is_visible)
-      std::cerr << "\r\033[K" << std::flush;
-  }
-
-  void end_iteration(const PMP::Vertex_location_optimization_report& report)
-  {
-    if(m_is_visible)
-      std::cerr << "\roptimizing: iteration " << report.iterations << " of at most " << m_iterations << std::flush;
-  }
-
-private:
-  std::size_t m_iterations;
-  bool m_is_visible;
-};
-
-// Prints a row for each attempt of a search, and shows on a terminal what goes on in it.
-class Table_of_attempts : public PMP::Tolerance_default_visitor
-{
-public:
-  explicit Table_of_attempts(double side) : m_side(side), m_is_visible(is_terminal())
-  {
-    std::printf("\n   edge length  vertices       mean       rms   maximum  mean back  max. back\n");
-  }
-
-  void start_remeshing(double edge_length)
-  {
-    m_edge_length = edge_length;
-    show("remeshing");
-  }
-
-  void end_iteration(const PMP::Vertex_location_optimization_report&) { show("optimizing"); }
-
-  void end_remeshing(const PMP::Tolerance_report& r)
-  {
-    if(m_is_visible)
-      std::cerr << "\r\033[K" << std::flush;
-    const double unit = 1e-4 * m_side;
-    std::printf("  %12.6g %9zu %10.3f %9.3f %9.3f %10.3f %10.3f  %s\n", r.edge_length, r.number_of_vertices,
-                r.to_reference.mean / unit, r.to_reference.rms / unit, r.to_reference.max / unit,
-                r.from_reference.mean / unit, r.from_reference.max / unit, r.is_within_tolerance ? "within" : "beyond");
-    std::fflush(stdout);
-  }
-
-private:
-  void show(const char* phase) const
-  {
-    if(m_is_visible)
-      std::cerr << "\r\033[K" << phase << ", edge length " << m_edge_length << std::flush;
-  }
-
-  double m_side;
-  bool m_is_visible;
-  double m_edge_length = 0;
-};
 
 // the sharp edges, and the seams of the texture
 Crease_map mark_creases(Mesh& mesh, double angle)

@@ -7,6 +7,7 @@
 // left as it is. All else must work: it is compiled both ways.
 
 #include "check.h"
+#include "check_violation.h"
 #include "mesh_quality.h"
 #include "test_meshes.h"
 
@@ -40,27 +41,6 @@ bool are_same(const std::vector<Point>& a, const std::vector<Point>& b)
     }
   return same;
 }
-
-// whether f() ends with a violated precondition
-template <typename F>
-bool violates_precondition(const F& f)
-{
-  try
-  {
-    f();
-  }
-  catch(const CGAL::Precondition_exception&)
-  {
-    return true;
-  }
-  return false;
-}
-
-#ifdef NDEBUG
-constexpr bool checks_are_on = false;
-#else
-constexpr bool checks_are_on = true;
-#endif
 
 template <typename Reference>
 void check_refused(const Mesh& input, const Reference& reference)
@@ -262,13 +242,6 @@ void test_scales()
     check_finite(scaled(small_sphere, scale), small_reference);
     check_finite(small_sphere, scaled(small_reference, scale));
   }
-}
-
-// f() violates a precondition, which is found if it is checked
-template <typename F>
-void check_violation(const F& f)
-{
-  CHECK_EQUAL(violates_precondition(f), checks_are_on);
 }
 
 using Vertex_values = Mesh::Property_map<Vertex, double>;

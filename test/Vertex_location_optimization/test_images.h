@@ -11,6 +11,7 @@
 
 #include <CGAL/Geometry_image.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstring>
@@ -119,6 +120,31 @@ inline bool are_identical(const Image& a, const Image& b)
       if(!are_identical(a(i, j), b(i, j)))
         return false;
   return true;
+}
+
+inline Mesh triangulated(const Image& image)
+{
+  Mesh mesh;
+  CGAL::geometry_image_to_polygon_mesh(image, mesh);
+  return mesh;
+}
+
+inline Mesh triangulated(const Image& image, const Image& diagonals)
+{
+  Mesh mesh;
+  CGAL::geometry_image_to_polygon_mesh(image, mesh, diagonals);
+  return mesh;
+}
+
+inline std::vector<std::array<std::size_t, 3>> triangles_of(const Mesh& mesh)
+{
+  std::vector<std::array<std::size_t, 3>> triangles;
+  for(Mesh::Face_index f : mesh.faces())
+  {
+    const Mesh::Halfedge_index h = mesh.halfedge(f);
+    triangles.push_back({ mesh.source(h), mesh.target(h), mesh.target(mesh.next(h)) });
+  }
+  return triangles;
 }
 
 #endif // VERTEX_LOCATION_OPTIMIZATION_TEST_TEST_IMAGES_H

@@ -23,13 +23,6 @@
 #include <sstream>
 #include <string>
 
-Mesh triangulated(const Image& image)
-{
-  Mesh mesh;
-  CGAL::geometry_image_to_polygon_mesh(image, mesh);
-  return mesh;
-}
-
 // An image of the mesh, whose samples are on it, those of the border on its border; its faces are oriented as the mesh.
 Image check_image(const Mesh& mesh, std::size_t width, std::size_t height)
 {

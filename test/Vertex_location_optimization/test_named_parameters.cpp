@@ -7,10 +7,9 @@
 
 #include "check.h"
 #include "Exact_sphere.h"
+#include "irregular_sphere.h"
 #include "mesh_quality.h"
-#include "test_meshes.h"
-
-#include <CGAL/Polygon_mesh_processing/optimize_vertex_locations.h>
+#include "test_visitors.h"
 
 #include <CGAL/property_map.h>
 #include <CGAL/Simple_cartesian.h>
@@ -19,30 +18,6 @@
 #include <map>
 #include <set>
 #include <vector>
-
-namespace PMP = CGAL::Polygon_mesh_processing;
-namespace parameters = CGAL::parameters;
-using Report = PMP::Vertex_location_optimization_report;
-using Vertex = Mesh::Vertex_index;
-
-// A sphere, or a part of it, as remesh and a finer one as reference. The remesh is irregular: its vertices have been
-// moved along the sphere.
-struct Input
-{
-  Mesh mesh = make_mesh(transformed(icosphere(2), [random = CGAL::Random(5)](const Point& p) mutable {
-    auto moved = [&](double x) { return x + random.get_double(-.05, .05); };
-    return CGAL::ORIGIN + unit(Vector(moved(p.x()), moved(p.y()), moved(p.z())));
-  }));
-  Mesh reference = make_mesh(icosphere(3));
-};
-
-template <typename Reference, typename NP1, typename NP2 = parameters::Default_named_parameters>
-std::vector<Point>
-optimized(Mesh mesh, const Reference& reference, const NP1& np1, const NP2& np2 = parameters::default_values())
-{
-  PMP::optimize_vertex_locations(mesh, reference, np1, np2);
-  return points_of(mesh);
-}
 
 void test_defaults(const Input& input)
 {
@@ -53,7 +28,7 @@ void test_defaults(const Input& input)
   CHECK(is_default(parameters::number_of_relaxation_steps(1)));
   CHECK(is_default(parameters::number_of_free_iterations(20)));
   CHECK(is_default(parameters::convergence_threshold(1e-6)));
-  CHECK(is_default(parameters::geom_traits(Kernel())));
+  CHECK(is_default(parameters::geom_traits(Kernel()))); // not documented, but CGAL's functions take it, and users give it
   CHECK(is_default(parameters::placement_method(PMP::PIECEWISE_LINEAR)));
   CHECK(is_default(parameters::relax_constraints(false)));
   CHECK(is_default(parameters::do_self_intersection_tests(false)));
@@ -61,34 +36,17 @@ void test_defaults(const Input& input)
   CHECK(is_default(parameters::allow_move_functor([](Vertex, const Point&, const Point&) { return true; })));
   CHECK(is_default(parameters::vertex_is_constrained_map(CGAL::Constant_property_map<Vertex, bool>(false))));
   CHECK(is_default(parameters::edge_is_constrained_map(CGAL::Constant_property_map<Mesh::Edge_index, bool>(false))));
-  {
-    Mesh mesh = input.mesh;
-    PMP::optimize_vertex_locations(mesh, input.reference, parameters::vertex_point_map(get(CGAL::vertex_point, mesh)));
-    CHECK(points_of(mesh) == expected);
-  }
+  Mesh mesh = input.mesh;
+  PMP::optimize_vertex_locations(mesh, input.reference, parameters::vertex_point_map(get(CGAL::vertex_point, mesh)));
+  CHECK(points_of(mesh) == expected);
   const auto least_squares = parameters::placement_method(PMP::LEAST_SQUARES);
   CHECK(optimized(input.mesh, input.reference, least_squares) ==
         optimized(input.mesh, input.reference,
                   least_squares.regularity_weight(0.15).convergence_threshold(7.5e-4).do_self_intersection_tests(true)));
   CHECK(optimized(input.mesh, input.reference, parameters::default_values(), parameters::sharpness_angle(40)) == expected);
   CHECK(optimized(input.mesh, input.reference, parameters::default_values(),
-                  parameters::vertex_point_map(input.reference.points()).geom_traits(Kernel())) == expected);
+                  parameters::vertex_point_map(input.reference.points())) == expected);
 }
-
-// A visitor as a user writes it: it need not derive from the default one, and cannot be copied.
-struct Counting_visitor
-{
-  explicit Counting_visitor(std::size_t max_phases = 1000) : max_phases(max_phases) {}
-  Counting_visitor(const Counting_visitor&) = delete;
-
-  void start_phase(PMP::Vertex_location_optimization_phase phase) { phases.push_back(phase); }
-  void end_iteration(const Report& report) { reports.push_back(report); }
-  bool go_further() { return phases.size() < max_phases; }
-
-  std::size_t max_phases;
-  std::vector<PMP::Vertex_location_optimization_phase> phases;
-  std::vector<Report> reports;
-};
 
 void test_numbers(const Input& input)
 {
@@ -147,21 +105,19 @@ void test_regularity(const Input& input)
   CHECK_LESS(with_one, with_three);
 
   start_topic("number_of_free_iterations: then vertices move along the normal only");
-  {
-    const Exact_sphere sphere(CGAL::ORIGIN, 1);
-    auto turn = [&](unsigned int free_iterations) {
-      const std::vector<Point> points =
-        optimized(input.mesh, sphere, parameters::number_of_free_iterations(free_iterations).number_of_relaxation_steps(0));
-      double largest = 0;
-      for(Vertex v : input.mesh.vertices())
-        largest = (std::max)(largest, norm(unit(points[v] - CGAL::ORIGIN) - unit(input.mesh.point(v) - CGAL::ORIGIN)));
-      return largest;
-    };
-    CHECK_AT_MOST(turn(0), 1e-12);
-    CHECK_AT_LEAST(turn(20), 1e-2);
-    CHECK(optimized(input.mesh, input.reference, parameters::number_of_free_iterations(5)) !=
-          optimized(input.mesh, input.reference, parameters::default_values()));
-  }
+  const Exact_sphere sphere(CGAL::ORIGIN, 1);
+  auto turn = [&](unsigned int free_iterations) {
+    const std::vector<Point> points =
+      optimized(input.mesh, sphere, parameters::number_of_free_iterations(free_iterations).number_of_relaxation_steps(0));
+    double largest = 0;
+    for(Vertex v : input.mesh.vertices())
+      largest = (std::max)(largest, norm(unit(points[v] - CGAL::ORIGIN) - unit(input.mesh.point(v) - CGAL::ORIGIN)));
+    return largest;
+  };
+  CHECK_AT_MOST(turn(0), 1e-12);
+  CHECK_AT_LEAST(turn(20), 1e-2);
+  CHECK(optimized(input.mesh, input.reference, parameters::number_of_free_iterations(5)) !=
+        optimized(input.mesh, input.reference, parameters::default_values()));
 }
 
 void test_chaining(const Input& input)
@@ -293,56 +249,6 @@ void test_allow_move_functor(const Input& input)
   CHECK_AT_MOST(largest_distance(points_of(mesh), before), limit * (1 + 1e-12));
   CHECK_AT_LEAST(largest_distance(points_of(mesh), before), limit / 2);
   CHECK_AT_LEAST(largest_distance(optimized(input.mesh, input.reference, parameters::default_values()), before), limit);
-}
-
-using Phase = PMP::Vertex_location_optimization_phase;
-
-constexpr Phase phases_of_iteration[] = { Phase::SAMPLE_REFERENCE, Phase::PLACE_VERTICES, Phase::RELAX_VERTICES,
-                                          Phase::CORRECT_FLIPS };
-
-void test_visitor(const Input& input)
-{
-  start_topic("visitor");
-  Mesh mesh = input.mesh;
-  Counting_visitor visitor;
-  const Report report = PMP::optimize_vertex_locations(mesh, input.reference, parameters::visitor(std::ref(visitor)));
-  CHECK(points_of(mesh) == optimized(input.mesh, input.reference, parameters::default_values()));
-  CHECK_EQUAL(visitor.reports.size(), report.iterations);
-  for(std::size_t i = 0; i < visitor.reports.size(); ++i)
-    CHECK_EQUAL(visitor.reports[i].iterations, i + 1);
-  CHECK_EQUAL(visitor.reports.back().displacement, report.displacement);
-  CHECK_LESS(0u, visitor.reports[0].displacement);
-  CHECK_AT_MOST(visitor.reports.back().corrected_vertices, report.corrected_vertices);
-  CHECK_EQUAL(visitor.phases.size(), 4 * report.iterations + 1);
-  for(std::size_t i = 0; i + 1 < visitor.phases.size(); ++i)
-    CHECK(visitor.phases[i] == phases_of_iteration[i % 4]);
-  CHECK(visitor.phases.back() == Phase::ENFORCE_GUARANTEE);
-}
-
-void test_cancelling(const Input& input)
-{
-  start_topic("A visitor can stop the run in any phase, with the result of the last complete iteration");
-  std::vector<Point> result;
-  for(std::size_t number_of_phases = 0; number_of_phases <= 12; ++number_of_phases)
-  {
-    const std::size_t iterations = number_of_phases / 4;
-    Mesh mesh = input.mesh;
-    Counting_visitor visitor(number_of_phases);
-    const Report report = PMP::optimize_vertex_locations(mesh, input.reference, parameters::visitor(std::ref(visitor)));
-    CHECK_EQUAL(report.iterations, iterations);
-    CHECK(!report.converged);
-    CHECK_EQUAL(visitor.reports.size(), iterations);
-    CHECK_EQUAL(visitor.phases.size(), number_of_phases + (iterations > 0));
-    if(number_of_phases % 4 == 0)
-    {
-      // only the last iteration of a run that is not stopped has the closest points themselves
-      result = points_of(mesh);
-      const std::vector<Point> run = optimized(input.mesh, input.reference, parameters::number_of_iterations(iterations));
-      CHECK_AT_MOST(largest_distance(result, run), 1e-3);
-    }
-    else
-      CHECK(points_of(mesh) == result);
-  }
 }
 
 void test_reference_parameters(const Input& input)

@@ -6,12 +6,10 @@
 #ifndef VERTEX_LOCATION_OPTIMIZATION_BENCHMARK_GROWTH_CURVE_H
 #define VERTEX_LOCATION_OPTIMIZATION_BENCHMARK_GROWTH_CURVE_H
 
-#include "../Log_log_plot.h"
-
 #include <cmath>
 #include <cstddef>
+#include <ostream>
 #include <string>
-#include <utility>
 #include <vector>
 
 // Times against sizes.
@@ -55,27 +53,26 @@ inline double exponent_of_logarithm(const Growth_curve& curve)
   return slope(logarithms(logarithms(curve.sizes)), logarithms(curve.seconds));
 }
 
-// Beside each curve the paper's growth, up to its last point: the time would be proportional to growth(size).
-inline Log_log_plot growth_plot(const std::vector<Growth_curve>& curves,
-                                const std::string& label,
-                                const std::string& name_of_growth,
-                                double (*growth)(double))
+// Writes curves over the same sizes, and the growth to compare them with: a time proportional to growth(size) that meets the
+// last curve at its end.
+inline void write_CSV(std::ostream& out,
+                      const std::string& size,
+                      const std::vector<Growth_curve>& curves,
+                      const std::string& name_of_growth,
+                      double (*growth)(double))
 {
-  Log_log_plot plot("", label, "seconds");
-  const std::vector<std::string> colors{ "#0050c0", "#008000", "#808080" };
-  for(std::size_t k = 0; k < curves.size(); ++k)
+  out << size;
+  for(const Growth_curve& curve : curves)
+    out << ',' << curve.name;
+  out << ',' << name_of_growth << '\n';
+  const Growth_curve& last = curves.back();
+  for(std::size_t i = 0; i < last.sizes.size(); ++i)
   {
-    const Growth_curve& curve = curves[k];
-    std::vector<std::pair<double, double>> measured, expected;
-    for(std::size_t i = 0; i < curve.sizes.size(); ++i)
-    {
-      measured.emplace_back(curve.sizes[i], curve.seconds[i]);
-      expected.emplace_back(curve.sizes[i], curve.seconds.back() * growth(curve.sizes[i]) / growth(curve.sizes.back()));
-    }
-    plot.add_curve(curve.name, colors[k % colors.size()], measured);
-    plot.add_guide(k == 0 ? name_of_growth : "", colors[k % colors.size()], expected);
+    out << last.sizes[i];
+    for(const Growth_curve& curve : curves)
+      out << ',' << curve.seconds[i];
+    out << ',' << last.seconds.back() * growth(last.sizes[i]) / growth(last.sizes.back()) << '\n';
   }
-  return plot;
 }
 
 #endif // VERTEX_LOCATION_OPTIMIZATION_BENCHMARK_GROWTH_CURVE_H

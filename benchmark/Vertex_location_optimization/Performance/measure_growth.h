@@ -35,17 +35,16 @@ inline void add_growth(Table& table,
     table.add_row(curve->name, { n, double(reference.number_of_faces()), seconds, 1e6 * seconds / n, seconds / projection });
     ++curve;
   };
+  add(projection);
   for(PMP::Placement_method method : placement_methods)
     add(time_of_optimization(mesh, surface, method));
-  add(projection);
 }
 
 inline std::vector<Growth_curve> empty_curves()
 {
-  std::vector<Growth_curve> curves;
+  std::vector<Growth_curve> curves{ { "projection", {}, {} } };
   for(PMP::Placement_method method : placement_methods)
     curves.push_back({ name_of(method), {}, {} });
-  curves.push_back({ "projection", {}, {} });
   return curves;
 }
 

@@ -38,7 +38,7 @@ const std::vector<std::string> known_sections{ "ratios", "projections", "threads
 
 struct Options
 {
-  std::string file, csv, svg;
+  std::string file, csv, growth;
   std::vector<std::string> sections;
   bool is_quick = false;
 
@@ -59,7 +59,8 @@ Options read_options(int argc, char** argv)
   add("sections", po::value(&sections)->default_value("ratios,projections,threads,growth,memory"),
       "which parts; `large` is a further one: 1M vertices against 5M triangles");
   add("csv", po::value(&options.csv), "file for all values: table, row, column, value");
-  add("svg", po::value(&options.svg), "file for a plot of the growth, if that is measured");
+  add("growth", po::value(&options.growth),
+      "what the names of two files for the curves of the growth begin with, for plot_curves.gp; if that is measured");
   add("input", po::value(&options.file)->default_value(CGAL::data_file_path("meshes/armadillo.off")), "the model");
 
   po::variables_map values;
@@ -87,14 +88,14 @@ void open(std::ofstream& file, const std::string& name)
     throw std::runtime_error(name + " cannot be written");
 }
 
-void measure_growth(std::ofstream& csv, std::ofstream& svg, const Mesh& input, bool is_quick)
+void measure_growth(
+  std::ofstream& csv, std::ofstream& remesh_csv, std::ofstream& reference_csv, const Mesh& input, bool is_quick)
 {
   const auto of_remesh = measure_growth_with_remesh(csv, subdivided(input, is_quick ? 0 : 1), is_quick ? 0 : 3);
   const auto of_reference = measure_growth_with_reference(csv, input, is_quick ? 2 : 5);
   print_exponents(csv, of_remesh, of_reference);
-  write_svg(
-    svg, { growth_plot(of_remesh, "vertices", "linear", [](double n) { return n; }),
-           growth_plot(of_reference, "triangles of the reference", "logarithmic", [](double m) { return std::log(m); }) });
+  write_CSV(remesh_csv, "vertices", of_remesh, "linear", [](double n) { return n; });
+  write_CSV(reference_csv, "triangles of the reference", of_reference, "logarithmic", [](double m) { return std::log(m); });
 }
 
 // Returns false if a result is wrong, however fast.
@@ -103,9 +104,13 @@ bool measure(const Options& options)
   Mesh input;
   if(!PMP::IO::read_polygon_mesh(options.file, input) || !CGAL::is_triangle_mesh(input) || is_empty(input))
     throw std::runtime_error(options.file + " is no triangle mesh that can be read");
-  std::ofstream csv, svg; // opened now, so that nothing is measured in vain
+  std::ofstream csv, growth_with_remesh, growth_with_reference; // opened now, so that nothing is measured in vain
   open(csv, options.csv);
-  open(svg, options.svg);
+  if(!options.growth.empty())
+  {
+    open(growth_with_remesh, options.growth + "_with_remesh.csv");
+    open(growth_with_reference, options.growth + "_with_reference.csv");
+  }
   csv << "table,row,column,value\n";
 
   const double edge_length = options.is_quick ? 0.03 : 0.0106;
@@ -127,7 +132,7 @@ bool measure(const Options& options)
       measure_memory(csv, reference, mesh);
   }
   if(options.has("growth"))
-    measure_growth(csv, svg, input, options.is_quick);
+    measure_growth(csv, growth_with_remesh, growth_with_reference, input, options.is_quick);
   if(options.has("large"))
     measure_large(csv, input);
   return is_right;

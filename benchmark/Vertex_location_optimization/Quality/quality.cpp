@@ -8,13 +8,13 @@
 //   quality [DIRECTORY...]
 //
 // The models are those of CGAL's data, and lucy.off and david.off of the paper, where a directory has them. Prints the
-// tables, with the figures of the paper beside; writes them to quality.csv, and the figure to error_by_vertices_MODEL.svg.
-// At last, what the parameter `regularity_weight` trades, and trade_off_MODEL.svg.
+// tables, with the figures of the paper beside; writes them to quality.csv, and the curves of the figure to
+// error_by_vertices_MODEL.csv. At last, what the parameter `regularity_weight` trades, and trade_off_MODEL.csv.
+// plot_curves.gp draws the curves.
 //
 // Four numbers in a row are those of the remesh, of the two placement methods, and of a least squares fit as one sparse
 // linear system. Distances are in 1e-4 of the longest side of the bounding box.
 
-#include "../Log_log_plot.h"
 #include "measures.h"
 #include "models.h"
 #include "normals.h"
@@ -29,7 +29,6 @@
 #include <iostream>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 void make_table_1(const std::vector<std::string>& directories, std::ostream& csv)
@@ -48,20 +47,21 @@ void make_table_1(const std::vector<std::string>& directories, std::ostream& csv
   print_costs(std::cout, rows);
 }
 
-void draw_figure_6(const std::vector<Row>& rows)
+// the curves of Figure 6
+void write_figure_6(const std::vector<Row>& rows)
 {
-  const std::string& name = rows.front().model;
-  Log_log_plot plot(name, "vertices", "mean error, in 1/10000 of the size");
-  for(const auto& [method, color] :
-      { std::pair(REMESH, "#c00000"), std::pair(PIECEWISE_LINEAR, "#0050c0"), std::pair(LEAST_SQUARES, "#008000") })
+  std::ofstream csv("error_by_vertices_" + rows.front().model + ".csv");
+  csv << "vertices";
+  for(Method method : { REMESH, PIECEWISE_LINEAR, LEAST_SQUARES })
+    csv << ',' << method_names[method];
+  csv << '\n';
+  for(const Row& row : rows)
   {
-    std::vector<std::pair<double, double>> points;
-    for(const Row& row : rows)
-      points.emplace_back(row.number_of_vertices, row.measures[method].mean);
-    plot.add_curve(method_names[method], color, points);
+    csv << row.number_of_vertices;
+    for(Method method : { REMESH, PIECEWISE_LINEAR, LEAST_SQUARES })
+      csv << ',' << row.measures[method].mean;
+    csv << '\n';
   }
-  std::ofstream out("error_by_vertices_" + name + ".svg");
-  write_svg(out, { plot });
 }
 
 void make_table_2(const std::vector<std::string>& directories, std::ostream& csv)
@@ -81,7 +81,7 @@ void make_table_2(const std::vector<std::string>& directories, std::ostream& csv
     print_errors(std::cout, rows);
     print_costs(std::cout, rows);
     print_fewer_vertices(std::cout, rows);
-    draw_figure_6(rows);
+    write_figure_6(rows);
   }
 }
 

@@ -6,7 +6,6 @@
 #ifndef VERTEX_LOCATION_OPTIMIZATION_BENCHMARK_QUALITY_TRADE_OFF_H
 #define VERTEX_LOCATION_OPTIMIZATION_BENCHMARK_QUALITY_TRADE_OFF_H
 
-#include "../Log_log_plot.h"
 #include "measures.h"
 #include "models.h"
 #include "remeshers.h"
@@ -15,8 +14,6 @@
 #include <fstream>
 #include <ostream>
 #include <string>
-#include <utility>
-#include <vector>
 
 // What `regularity_weight` trades: the errors of `LEAST_SQUARES` for the angles, on a remesh of the model.
 inline void make_trade_off(const Model& model, std::ostream& out)
@@ -33,7 +30,8 @@ inline void make_trade_off(const Model& model, std::ostream& out)
   };
 
   print("(remesh)", measure(remesh, model, reference, 0));
-  std::vector<std::pair<double, double>> errors, angles;
+  std::ofstream csv("trade_off_" + model.name + ".csv");
+  csv << "regularity_weight,mean error (1e-4),60 - angle (degrees)\n";
   for(double weight : { 0.0125, 0.025, 0.05, 0.1, 0.2, 0.4, 0.8, 1.6 })
   {
     Mesh mesh = remesh;
@@ -41,17 +39,10 @@ inline void make_trade_off(const Model& model, std::ostream& out)
                                    CGAL::parameters::placement_method(PMP::LEAST_SQUARES).regularity_weight(weight));
     const Measures measures = measure(mesh, model, reference, 0);
     print(to_text(weight, 4), measures);
-    errors.emplace_back(weight, measures.mean);
-    angles.emplace_back(weight, 60 - measures.mean_angle);
+    csv << weight << ',' << measures.mean << ',' << 60 - measures.mean_angle << '\n';
   }
   print("(piecewise linear)", measure(optimize(remesh, reference, PIECEWISE_LINEAR), model, reference, 0));
   out << "\n";
-
-  Log_log_plot plot(model.name, "regularity_weight", "");
-  plot.add_curve("mean error (1e-4)", "#008000", errors);
-  plot.add_curve("60 - angle (degrees)", "#0050c0", angles);
-  std::ofstream file("trade_off_" + model.name + ".svg");
-  write_svg(file, { plot });
 }
 
 #endif // VERTEX_LOCATION_OPTIMIZATION_BENCHMARK_QUALITY_TRADE_OFF_H

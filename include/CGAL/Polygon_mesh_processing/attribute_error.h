@@ -46,14 +46,12 @@ namespace Polygon_mesh_processing {
  * \tparam TriangleMesh a model of `VertexListGraph`, `EdgeListGraph`, and `FaceListGraph`
  * \tparam Reference a model of `VertexListGraph`, `EdgeListGraph`, and `FaceListGraph`, of any type, or a
  *                   `PN_triangle_surface` or `Flat_triangle_surface`
- * \tparam ReferenceAttributeMap a class model of `ReadablePropertyMap`. The key type is the vertex or the halfedge
- *                               descriptor of the mesh that `reference` is or was made from. The value type is a number
- *                               type, such as `double` or `unsigned char`; `%Point_2`, `%Point_3`, `%Vector_2` or
- *                               `%Vector_3` of a \cgal kernel; `CGAL::IO::Color`; or a `std::array` of numbers.
+ * \tparam ReferenceAttributeMap a class model of `ReadablePropertyMap`, with keys and values as for
+ *                               `optimize_vertex_attributes()`
  * \tparam AttributeMap a class model of `ReadablePropertyMap` with
  *                      `boost::graph_traits<TriangleMesh>::%vertex_descriptor` or
- *                      `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type, and a value type as above with
- *                      as many numbers
+ *                      `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type, and a value type with as many
+ *                      numbers
  * \tparam NamedParameters1 a sequence of \ref bgl_namedparameters "Named Parameters"
  * \tparam NamedParameters2 a sequence of \ref bgl_namedparameters "Named Parameters"
  *

@@ -57,7 +57,7 @@ std::vector<Index> choose_labels(const Mesh_arrays& mesh, const Reference_patche
     std::size_t number_of_samples;
   };
 
-  const auto vertex_feet = project_vertices<ConcurrencyTag>(mesh, reference);
+  const auto vertex_feet = project_vertices<ConcurrencyTag>(mesh.points, reference);
   std::vector<Index> chosen(mesh.number_of_faces());
   for_each_index<ConcurrencyTag>(chosen.size(), [&](std::size_t f) {
     constexpr double fewest_samples = 24; // to find the larger one of two parts of a face

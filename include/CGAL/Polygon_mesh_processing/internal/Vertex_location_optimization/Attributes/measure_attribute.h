@@ -27,7 +27,7 @@ Error_sum measure_attribute(const Mesh_arrays& mesh,
                             const std::size_t number_of_points)
 {
   const auto& reference = signal.reference();
-  const auto vertex_feet = project_vertices<ConcurrencyTag>(mesh, reference);
+  const auto vertex_feet = project_vertices<ConcurrencyTag>(mesh.points, reference);
   const std::size_t pieces = number_of_pieces(static_cast<double>(number_of_points));
   std::vector<Face_error> faces(mesh.number_of_faces());
   for_each_index<ConcurrencyTag>(faces.size(), [&](std::size_t f) {

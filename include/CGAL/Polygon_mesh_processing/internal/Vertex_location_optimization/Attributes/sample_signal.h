@@ -75,7 +75,7 @@ private:
   template <typename ConcurrencyTag>
   void find_feet()
   {
-    m_vertex_feet = project_vertices<ConcurrencyTag>(m_mesh, m_signal.reference());
+    m_vertex_feet = project_vertices<ConcurrencyTag>(m_mesh.points, m_signal.reference());
     m_anchors.resize(m_mesh.number_of_faces());
     for_each_index<ConcurrencyTag>(m_anchors.size(), [&](std::size_t f) {
       m_anchors[f] = m_signal.reference().project(m_mesh.barycenter(f), m_vertex_feet[m_mesh.first_vertex(f)]);

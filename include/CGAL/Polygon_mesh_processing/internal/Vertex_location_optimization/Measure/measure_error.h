@@ -6,82 +6,174 @@
 #ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_MEASURE_ERROR_H
 #define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_MEASURE_ERROR_H
 
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Measure/Maximum_search.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Measure/sample_faces.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
-// A sum over a weight: 0 where there is no weight, infinite rather than not a number where the numbers overflow.
-inline double mean_of(double sum, double weight)
+// The distance of a mesh with its vertices at some points to the reference.
+template <typename Reference>
+class Error_measure
 {
-  const double mean = weight == 0 ? 0 : sum / weight;
-  return std::isnan(mean) ? std::numeric_limits<double>::infinity() : mean;
-}
+  using Foot = typename Reference::Foot;
+  using Sample = Distance_sample<Reference>;
 
-// the distance of a face to the reference
-struct Face_error
-{
-  double area = 0;
-  double mean = 0;
-  double mean_square = 0;
-  double max = 0;
-};
-
-// the distance of some faces to the reference
-struct Error_sum
-{
-  double area = 0;
-  double distance = 0;         // its integral
-  double squared_distance = 0; // the integral of its square
-  double max = 0;
-
-  Error_sum() = default;
-  Error_sum(const Face_error& face)
-    : area(face.area), distance(face.area * face.mean), squared_distance(face.area * face.mean_square), max(face.max)
+public:
+  Error_measure(const Mesh_arrays& mesh, const std::vector<Point>& points, const Reference& reference)
+    : m_mesh(mesh), m_points(points), m_reference(reference)
   {}
 
-  Error_sum& operator+=(const Error_sum& other)
+  // Samples as densely as the user says, or else as finely as it takes.
+  template <typename ConcurrencyTag>
+  void measure(const Sampling_density& density)
   {
-    area += other.area;
-    distance += other.distance;
-    squared_distance += other.squared_distance;
-    max = (std::max)(max, other.max);
-    return *this;
+    vertex_feet = project_vertices<ConcurrencyTag>(m_points, m_reference);
+    faces.resize(m_mesh.number_of_faces());
+    if(density.is_given())
+      sample_evenly<ConcurrencyTag>(density);
+    else
+      sample_adaptively<ConcurrencyTag>();
+    search_maximum<ConcurrencyTag>();
+    for(Face_measurement& face : faces)
+      face.mean = mean_of(face.mean, 1); // never not a number
   }
 
-  double mean() const { return mean_of(distance, area); }
-  double rms() const { return std::sqrt(mean_of(squared_distance, area)); }
+  template <typename ConcurrencyTag>
+  Error_sum sum() const
+  {
+    return sum_over_indices<ConcurrencyTag, Error_sum>(faces.size(), [&](std::size_t f) { return Error_sum(faces[f]); });
+  }
+
+  std::vector<Foot> vertex_feet;
+  std::vector<Face_measurement> faces;
+
+private:
+  struct Precision
+  {
+    double variance = 0, distance = 0, area = 0, coarseness = 0;
+
+    Precision() = default;
+    explicit Precision(const Face_measurement& face)
+      : variance(square(face.area) * face.variance), distance(face.area * face.mean), area(face.area),
+        coarseness(face.area * face.coarseness)
+    {}
+
+    Precision& operator+=(const Precision& other)
+    {
+      variance += other.variance;
+      distance += other.distance;
+      area += other.area;
+      coarseness += other.coarseness;
+      return *this;
+    }
+  };
+
+  // Coarse first, and finer until the standard error of the mean is small enough.
+  template <typename ConcurrencyTag>
+  void sample_adaptively()
+  {
+    constexpr double largest_standard_error = 1.5e-3; // of the mean; the true one is about half of what the samples say
+    constexpr int most_rounds = 4;
+    constexpr double least_factor = 4, largest_factor = 16, margin = 1.5;
+    Fineness fineness{ 16, least_depth() };
+    for(int round = 0; round < most_rounds; ++round)
+    {
+      for_each_index<ConcurrencyTag>(faces.size(), [&](std::size_t f) {
+        const Distance_sampler<Reference> sampler(m_reference, m_mesh.area_normal(f, m_points));
+        faces[f] = Face_measure<Reference>(sampler, fineness, f)(samples_at_corners(f));
+        faces[f].area = m_mesh.area(f, m_points);
+      });
+      const Precision p =
+        sum_over_indices<ConcurrencyTag, Precision>(faces.size(), [&](std::size_t f) { return Precision(faces[f]); });
+      const double excess = std::sqrt(p.variance) / (largest_standard_error * p.distance);
+      if(!(excess > 1))
+        return;
+      // most pieces are not as coarse as they might have been
+      fineness.largest_coarseness = (std::min)(fineness.largest_coarseness, 2 * p.coarseness / p.area) /
+                                    (std::min)(largest_factor, (std::max)(least_factor, margin * excess));
+    }
+  }
+
+  // small meshes are cut to more pieces, which costs little
+  int least_depth() const
+  {
+    constexpr std::size_t enough_pieces = 1000;
+    int depth = 0;
+    for(std::size_t n = faces.size(); n > 0 && n < enough_pieces; n *= 4)
+      ++depth;
+    return depth;
+  }
+
+  template <typename ConcurrencyTag>
+  void sample_evenly(const Sampling_density& density)
+  {
+    for_each_index<ConcurrencyTag>(faces.size(), [&](std::size_t f) {
+      Face_measurement face;
+      face.area = m_mesh.area(f, m_points);
+      const std::array<Sample, 3> corners = samples_at_corners(f);
+      for(const Sample& corner : corners)
+        face.max = (std::max)(face.max, corner.distance);
+      double sum = 0, sum_of_squares = 0;
+      std::size_t count = 0;
+      const auto triangle = m_mesh.triangle(f, m_points);
+      project_samples(triangle, m_reference, density.number_of_points(face.area), vertex_feet[m_mesh.first_vertex(f)],
+                      [&](const auto&, const Point& p, const Foot& foot) {
+                        const double distance = distance_to_foot(p, m_reference, foot);
+                        sum += distance;
+                        sum_of_squares += distance * distance;
+                        face.max = (std::max)(face.max, distance);
+                        ++count;
+                      });
+      face.mean = sum / count;
+      face.mean_square = sum_of_squares / count;
+      face.sampled_maximum = face.max;
+      const double side2 =
+        (std::max)({ squared_distance(triangle[0], triangle[1]), squared_distance(triangle[1], triangle[2]),
+                     squared_distance(triangle[2], triangle[0]) });
+      face.probable_maximum = face.max + std::sqrt(side2 / count);
+      face.number_of_pieces = count / 4;
+      faces[f] = face;
+    });
+  }
+
+  template <typename ConcurrencyTag>
+  void search_maximum()
+  {
+    const auto corners_of = [&](std::size_t f) { return samples_at_corners(f); };
+    const auto normal_of = [&](std::size_t f) { return normalized(m_mesh.area_normal(f, m_points)); };
+    Maximum_search<ConcurrencyTag, Reference, decltype(corners_of), decltype(normal_of)>(m_reference, corners_of, normal_of,
+                                                                                         faces)
+      .run();
+  }
+
+  std::array<Sample, 3> samples_at_corners(std::size_t f) const
+  {
+    const auto sample = [&](Index i) { return Sample(m_points[i], m_reference, vertex_feet[i]); };
+    const std::array<Index, 3>& v = m_mesh.face(f);
+    return { sample(v[0]), sample(v[1]), sample(v[2]) };
+  }
+
+  const Mesh_arrays& m_mesh;
+  const std::vector<Point>& m_points;
+  const Reference& m_reference;
 };
 
+// Measures how far `mesh`, with its vertices at `points`, is from the reference.
 template <typename ConcurrencyTag, typename Reference>
-std::vector<Face_error> measure_faces(const Mesh_arrays& mesh,
-                                      const Reference& reference,
-                                      const std::vector<typename Reference::Foot>& vertex_feet,
-                                      const std::size_t number_of_points)
+Error_measure<Reference> measure_error(const Mesh_arrays& mesh,
+                                       const std::vector<Point>& points,
+                                       const Reference& reference,
+                                       const Sampling_density& density = Sampling_density())
 {
-  std::vector<Face_error> faces(mesh.number_of_faces());
-  for_each_index<ConcurrencyTag>(faces.size(), [&](std::size_t f) {
-    std::size_t count = 0;
-    double sum = 0, sum_of_squares = 0, max = 0;
-    const auto& hint = vertex_feet[mesh.first_vertex(f)];
-    project_samples(mesh.triangle(f), reference, number_of_points, hint, [&](const auto&, const Point& p, const auto& foot) {
-      const double distance = distance_to_foot(p, reference, foot);
-      sum += distance;
-      sum_of_squares += distance * distance;
-      max = (std::max)(max, distance);
-      ++count;
-    });
-    for(Index i : mesh.face(f))
-      max = (std::max)(max, distance_to_foot(mesh.points[i], reference, vertex_feet[i]));
-
-    faces[f] = { mesh.area(f), mean_of(sum, count), mean_of(sum_of_squares, count), max };
-  });
-  return faces;
+  Error_measure<Reference> measure(mesh, points, reference);
+  measure.template measure<ConcurrencyTag>(density);
+  return measure;
 }
 
 // The mean distance over the faces around each vertex; the distance of the vertex itself if they have no area.
@@ -89,7 +181,7 @@ template <typename ConcurrencyTag, typename Reference>
 std::vector<double> mean_around_vertices(const Mesh_arrays& mesh,
                                          const Reference& reference,
                                          const std::vector<typename Reference::Foot>& vertex_feet,
-                                         const std::vector<Face_error>& faces)
+                                         const std::vector<Face_measurement>& faces)
 {
   std::vector<Error_sum> sums(mesh.points.size());
   for(std::size_t f = 0; f < faces.size(); ++f)
@@ -101,13 +193,6 @@ std::vector<double> mean_around_vertices(const Mesh_arrays& mesh,
     means[i] = sums[i].area > 0 ? sums[i].mean() : distance_to_foot(mesh.points[i], reference, vertex_feet[i]);
   });
   return means;
-}
-
-// the distance over the whole mesh
-template <typename ConcurrencyTag>
-Error_sum sum_of_faces(const std::vector<Face_error>& faces)
-{
-  return sum_over_indices<ConcurrencyTag, Error_sum>(faces.size(), [&](std::size_t f) { return Error_sum(faces[f]); });
 }
 
 } // namespace CGAL::Polygon_mesh_processing::internal::vertex_location

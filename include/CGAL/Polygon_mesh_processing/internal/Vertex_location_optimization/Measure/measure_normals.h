@@ -12,7 +12,10 @@
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/read_mesh.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/read_parameters.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
@@ -31,23 +34,44 @@ struct Angle_integral
   }
 };
 
+// How many samples of a face it takes: so many for each of the reference's faces that it covers, as its corners tell.
+template <typename Reference>
+std::size_t number_of_normal_samples(const Reference& reference,
+                                     const std::array<typename Reference::Foot, 3>& corner_feet,
+                                     const double area,
+                                     const Sampling_density& density)
+{
+  constexpr double least = 16, most = 1e6, per_patch = 8;
+  if(density.is_given())
+    return density.number_of_points(area);
+  double patch_area = 0;
+  for(const auto& foot : corner_feet)
+    patch_area += reference.area_at(foot) / 3;
+  if(!(patch_area > 0))
+    return default_number_of_points_per_face;
+  const double number = per_patch * area / patch_area;
+  return static_cast<std::size_t>(number < most ? (std::max)(least, number) : least);
+}
+
 // The mean angle in degrees between the normals that `corner_normals`, three a face, interpolate and those of the
 // reference. A sample where one of the two has no direction does not count.
 template <typename ConcurrencyTag, typename Reference>
 double measure_corner_normals(const Mesh_arrays& mesh,
                               const std::vector<Vector>& corner_normals,
                               const Reference& reference,
-                              const std::size_t number_of_points)
+                              const Sampling_density& density)
 {
-  const auto vertex_feet = project_vertices<ConcurrencyTag>(mesh, reference);
+  const auto vertex_feet = project_vertices<ConcurrencyTag>(mesh.points, reference);
   const Angle_integral sum = sum_over_indices<ConcurrencyTag, Angle_integral>(mesh.number_of_faces(), [&](std::size_t f) {
     const Vector& n = corner_normals[3 * f];
     const Vector to_n1 = corner_normals[3 * f + 1] - n, to_n2 = corner_normals[3 * f + 2] - n;
 
     std::size_t count = 0;
     Angle_integral face;
-    const auto& hint = vertex_feet[mesh.first_vertex(f)];
-    project_samples(mesh.triangle(f), reference, number_of_points, hint,
+    const std::array<Index, 3>& v = mesh.face(f);
+    const std::size_t number_of_points = number_of_normal_samples(
+      reference, { vertex_feet[v[0]], vertex_feet[v[1]], vertex_feet[v[2]] }, mesh.area(f), density);
+    project_samples(mesh.triangle(f), reference, number_of_points, vertex_feet[v[0]],
                     [&](const Coordinates& x, const auto&, const auto& foot) {
                       ++count;
                       const Vector here = normalized(n + x.u * to_n1 + x.v * to_n2);
@@ -58,7 +82,7 @@ double measure_corner_normals(const Mesh_arrays& mesh,
                       face.area += 1;
                     });
 
-    const double area_of_sample = norm(mesh.area_normal(f)) / (2. * count);
+    const double area_of_sample = mesh.area(f) / count;
     return Angle_integral{ area_of_sample * face.area, area_of_sample * face.angle };
   });
   if(sum.area == 0)
@@ -89,18 +113,14 @@ double measure_normals(const TriangleMesh& tmesh,
                        const NamedParameters2& np2,
                        const MakeCornerNormals& make_corner_normals)
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-
   Mesh_arrays mesh;
   Mesh_descriptors<TriangleMesh> descriptors;
   if(!read_mesh(tmesh, read_vertex_point_map(tmesh, np1), mesh, descriptors))
     return 180;
   const std::vector<Vector> corner_normals = make_corner_normals(mesh, descriptors);
-  const std::size_t number_of_points =
-    choose_parameter(get_parameter(np1, internal_np::number_of_points_per_face), default_number_of_points_per_face);
+  const Sampling_density density = read_sampling_density(np1);
   return with_reference<ConcurrencyTag>(mesh, reference, np2, 180., [&](const auto& surface) {
-    return measure_corner_normals<ConcurrencyTag>(mesh, corner_normals, surface, number_of_points);
+    return measure_corner_normals<ConcurrencyTag>(mesh, corner_normals, surface, density);
   });
 }
 

@@ -11,6 +11,8 @@
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/Mesh_arrays.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/triangle_coordinates.h>
 
+#include <CGAL/Named_function_parameters.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -19,17 +21,53 @@
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
-// How many samples a face gets unless the user says otherwise: the mean of a mesh that interpolates the reference is
-// within 1% of its limit from 25 on, that of an optimized mesh, whose error has a kink where the two surfaces cross,
-// within 2% from 64 on.
+// how many samples a face gets where nothing else is said
 constexpr std::size_t default_number_of_points_per_face = 64;
 
-// The points of the reference that the vertices of `mesh` are closest to.
-template <typename ConcurrencyTag, typename Reference>
-std::vector<typename Reference::Foot> project_vertices(const Mesh_arrays& mesh, const Reference& reference)
+// How densely the user wants faces to be sampled.
+struct Sampling_density
 {
-  std::vector<typename Reference::Foot> feet(mesh.points.size());
-  for_each_index<ConcurrencyTag>(feet.size(), [&](std::size_t i) { feet[i] = reference.project(mesh.points[i]); });
+  bool is_given() const { return number_of_points_per_face > 0 || number_of_points_per_area_unit > 0; }
+
+  // what one says, or the other, if it is more
+  std::size_t number_of_points(const double area) const
+  {
+    constexpr double most = 1e9; // what overflows is not sampled any denser
+    const double number = std::ceil(number_of_points_per_area_unit * area);
+    return (std::max)({ std::size_t(1), number_of_points_per_face, number < most ? static_cast<std::size_t>(number) : 0 });
+  }
+
+  std::size_t number_of_points_per_face = 0;
+  double number_of_points_per_area_unit = 0;
+};
+
+// what the named parameters say
+template <typename NamedParameters>
+Sampling_density read_sampling_density(const NamedParameters& np)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using parameters::is_default_parameter;
+
+  Sampling_density density;
+  if constexpr(!is_default_parameter<NamedParameters, internal_np::number_of_points_per_face_t>::value)
+    density.number_of_points_per_face =
+      (std::max)(std::size_t(1), static_cast<std::size_t>(get_parameter(np, internal_np::number_of_points_per_face)));
+  density.number_of_points_per_area_unit =
+    to_double(choose_parameter(get_parameter(np, internal_np::nb_points_per_area_unit), 0.));
+  return density;
+}
+
+// The points of the reference that `points`, of which those in a row are near each other, are closest to.
+template <typename ConcurrencyTag, typename Reference>
+std::vector<typename Reference::Foot> project_vertices(const std::vector<Point>& points, const Reference& reference)
+{
+  constexpr std::size_t block_size = 64;
+  std::vector<typename Reference::Foot> feet(points.size());
+  for_each_block<ConcurrencyTag>(feet.size(), block_size, [&](std::size_t begin, std::size_t end) {
+    for(std::size_t i = begin; i < end; ++i)
+      feet[i] = i == begin ? reference.project(points[i]) : reference.project(points[i], feet[i - 1]);
+  });
   return feet;
 }
 

@@ -37,9 +37,16 @@ public:
     m_ends = Index_groups(number_of_sectors(), 2 * m_edges.size(), [&](Index i) { return m_edges[i / 2].sectors[i % 2]; });
   }
 
-  std::size_t number_of_sectors() const { return m_corners.size(); }
+  std::size_t number_of_sectors() const { return m_first_corner.size() - 1; }
   Index sector(Index corner) const { return m_sector_of_corner[corner]; }
-  Index corner(Index sector) const { return m_corners[sector]; } // one of its corners
+
+  // Calls f(c) for each corner c of a sector, in the order of `Sectors`.
+  template <typename F>
+  void for_each_corner(std::size_t sector, const F& f) const
+  {
+    for(Index k = m_first_corner[sector]; k < m_first_corner[sector + 1]; ++k)
+      f(m_corners[k]);
+  }
 
   // The sectors on both sides of edge e at one of its ends, the same one twice unless it is a crease.
   std::array<Index, 2> sectors_at_end(const Mesh_arrays& mesh, const std::size_t e, const int end) const
@@ -70,11 +77,16 @@ private:
   void number_sectors(const Mesh_arrays& mesh, const Sectors& sectors)
   {
     m_sector_of_corner.assign(3 * mesh.number_of_faces(), no_index);
+    m_corners.reserve(m_sector_of_corner.size());
     for(Index c = 0; c < m_sector_of_corner.size(); ++c)
       if(m_sector_of_corner[c] == no_index)
       {
-        sectors.for_each_corner(c, [&](Index other) { m_sector_of_corner[other] = static_cast<Index>(m_corners.size()); });
-        m_corners.push_back(c);
+        const Index sector = static_cast<Index>(number_of_sectors());
+        sectors.for_each_corner(c, [&](Index other) {
+          m_sector_of_corner[other] = sector;
+          m_corners.push_back(other);
+        });
+        m_first_corner.push_back(static_cast<Index>(m_corners.size()));
       }
   }
 
@@ -103,7 +115,8 @@ private:
   }
 
   std::vector<Index> m_sector_of_corner;
-  std::vector<Index> m_corners;
+  std::vector<Index> m_first_corner{ 0 }; // of each sector, in m_corners
+  std::vector<Index> m_corners;           // sector by sector
   std::vector<Edge> m_edges;
   Index_groups m_ends; // of the edges, by their sectors: 2 k + i is the end i of edge k
 };

@@ -56,29 +56,24 @@ std::vector<char> find_creases(const Mesh_arrays& mesh,
 
 // one flat triangle a face
 template <typename ConcurrencyTag>
-void make_patches(const Mesh_arrays& mesh,
-                  const std::vector<Vector>& /* face_normals */,
-                  const std::vector<char>& /* is_crease */,
-                  std::vector<Flat_triangle>& patches)
+std::vector<Flat_triangle> make_flat_patches(const Mesh_arrays& mesh)
 {
-  patches.resize(mesh.number_of_faces());
+  std::vector<Flat_triangle> patches(mesh.number_of_faces());
   for_each_index<ConcurrencyTag>(patches.size(), [&](std::size_t f) { patches[f] = Flat_triangle(mesh.triangle(f)); });
+  return patches;
 }
 
 // one curved PN triangle a face
 template <typename ConcurrencyTag>
-void make_patches(const Mesh_arrays& mesh,
-                  const std::vector<Vector>& face_normals,
-                  const std::vector<char>& is_crease,
-                  std::vector<PN_triangle>& patches)
+std::vector<PN_triangle>
+make_PN_patches(const Mesh_arrays& mesh, const std::vector<Vector>& face_normals, const std::vector<char>& is_crease)
 {
   const Facets facets = find_facets(mesh, face_normals, is_crease);
   const Sector_graph graph(mesh, is_crease, facets);
-  const std::vector<Vector> sector_normals =
-    compute_sector_normals<ConcurrencyTag>(mesh, face_normals, is_crease, facets, graph);
+  const std::vector<Vector> sector_normals = compute_sector_normals<ConcurrencyTag>(mesh, face_normals, facets, graph);
   const Patch_boundaries boundaries = compute_patch_boundaries<ConcurrencyTag>(mesh, facets, graph, sector_normals);
 
-  patches.resize(mesh.number_of_faces());
+  std::vector<PN_triangle> patches(mesh.number_of_faces());
   for_each_index<ConcurrencyTag>(patches.size(), [&](std::size_t f) {
     const std::array<Index, 3> vertices = mesh.face(f);
     std::array<PN_triangle::Corner, 3> corners;
@@ -95,6 +90,7 @@ void make_patches(const Mesh_arrays& mesh,
     }
     patches[f] = PN_triangle(corners);
   });
+  return patches;
 }
 
 // Whether the normals of a mesh can tell a smooth surface: not if creases make more than a third of the length of its edges.
@@ -128,12 +124,16 @@ Reference_patches<Patch> make_reference_patches(const TriangleMesh& tmesh,
   const std::vector<char> is_crease = find_creases<ConcurrencyTag>(mesh, descriptors, face_normals, np);
 
   std::vector<Patch> patches;
-  const bool is_flat =
-    std::is_same<Patch, Flat_triangle>::value || (flat_unless_smooth && !is_recognizably_smooth(mesh, is_crease));
-  if(is_flat) // no normal goes beyond its face
-    make_patches<ConcurrencyTag>(mesh, face_normals, std::vector<char>(mesh.edges.size(), 1), patches);
+  bool is_flat = true;
+  if constexpr(std::is_same<Patch, Flat_triangle>::value)
+    patches = make_flat_patches<ConcurrencyTag>(mesh);
   else
-    make_patches<ConcurrencyTag>(mesh, face_normals, is_crease, patches);
+  {
+    is_flat = flat_unless_smooth && !is_recognizably_smooth(mesh, is_crease);
+    // where all edges are creases no normal goes beyond its face
+    patches =
+      make_PN_patches<ConcurrencyTag>(mesh, face_normals, is_flat ? std::vector<char>(mesh.edges.size(), 1) : is_crease);
+  }
 
   auto is_feature = [&](Index e) { return mesh.edge_corners[e][0] != no_index && (is_crease[e] || mesh.is_border(e)); };
   auto curve_piece = [&](Index e) {

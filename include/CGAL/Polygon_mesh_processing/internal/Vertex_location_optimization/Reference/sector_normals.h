@@ -35,25 +35,22 @@ inline double facet_weight(const double area, const double largest_area)
 template <typename ConcurrencyTag>
 std::vector<Average_normal> average_facet_normals(const Mesh_arrays& mesh,
                                                   const std::vector<Vector>& face_normals,
-                                                  const std::vector<char>& is_crease,
                                                   const Facets& facets,
                                                   const Sector_graph& graph)
 {
-  const Sectors sectors(mesh, is_crease);
   std::vector<Average_normal> averages(graph.number_of_sectors());
   for_each_index<ConcurrencyTag>(averages.size(), [&](std::size_t s) {
     double largest = 0;
-    sectors.for_each_corner(graph.corner(static_cast<Index>(s)),
-                            [&](Index c) { largest = (std::max)(largest, facets.area[c / 3]); });
+    graph.for_each_corner(s, [&](Index c) { largest = (std::max)(largest, facets.area[c / 3]); });
     Vector sum = NULL_VECTOR;
-    sectors.for_each_corner(graph.corner(static_cast<Index>(s)), [&](Index c) {
+    graph.for_each_corner(s, [&](Index c) {
       const std::array<Point, 3> t = mesh.triangle(c / 3);
       const double angle = angle_at(t[c % 3], t[(c + 1) % 3], t[(c + 2) % 3]);
       sum = sum + angle * facet_weight(facets.area[c / 3], largest) * face_normals[c / 3];
     });
     const Vector average = normalized(sum);
     double spread2 = 0;
-    sectors.for_each_corner(graph.corner(static_cast<Index>(s)), [&](Index c) {
+    graph.for_each_corner(s, [&](Index c) {
       if(face_normals[c / 3] != NULL_VECTOR)
         spread2 = (std::max)(spread2, (average - face_normals[c / 3]).squared_length());
     });
@@ -142,14 +139,12 @@ inline Vector correct_normal(const Sector_graph& graph,
 template <typename ConcurrencyTag>
 std::vector<Vector> compute_sector_normals(const Mesh_arrays& mesh,
                                            const std::vector<Vector>& face_normals,
-                                           const std::vector<char>& is_crease,
                                            const Facets& facets,
                                            const Sector_graph& graph)
 {
   constexpr int number_of_sweeps = 5; // more gains nothing on scans
 
-  const std::vector<Average_normal> averages =
-    average_facet_normals<ConcurrencyTag>(mesh, face_normals, is_crease, facets, graph);
+  const std::vector<Average_normal> averages = average_facet_normals<ConcurrencyTag>(mesh, face_normals, facets, graph);
   std::vector<Vector> normals, next(averages.size());
   normals.reserve(averages.size());
   for(const Average_normal& average : averages)

@@ -74,12 +74,10 @@ template <typename ConcurrencyTag, typename Reference>
 std::vector<double>
 measure_deviations(const Mesh_arrays& mesh, const Reference& reference, const std::vector<Point>& samples)
 {
-  constexpr std::size_t number_of_points = 36;
-  const auto faces =
-    measure_faces<ConcurrencyTag>(mesh, reference, project_vertices<ConcurrencyTag>(mesh, reference), number_of_points);
+  constexpr Sampling_density density{ 36, 0 };
   std::vector<double> deviations;
-  deviations.reserve(faces.size());
-  for(const Face_error& face : faces)
+  deviations.reserve(mesh.number_of_faces());
+  for(const Face_measurement& face : measure_error<ConcurrencyTag>(mesh, mesh.points, reference, density).faces)
     deviations.push_back(face.max);
   for(const auto& [face, distance] : measure_distances<ConcurrencyTag>(samples, mesh))
     deviations[face] = (std::max)(deviations[face], distance);

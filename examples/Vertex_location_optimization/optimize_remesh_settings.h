@@ -1,0 +1,201 @@
+// Copyright (c) 2026 The Vertex_location_optimization authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The command line of optimize_remesh.
+
+#ifndef VERTEX_LOCATION_OPTIMIZATION_EXAMPLES_OPTIMIZE_REMESH_SETTINGS_H
+#define VERTEX_LOCATION_OPTIMIZATION_EXAMPLES_OPTIMIZE_REMESH_SETTINGS_H
+
+#include <CGAL/Polygon_mesh_processing/Tolerance_report.h>
+
+#include <boost/program_options.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+struct Settings
+{
+  std::string input;
+  std::string remesh;        // instead of remeshing
+  std::string output = "./"; // what the names of the files begin with
+  std::string format;        // empty: that of the input
+  std::string reference = "pn";
+  double edge_length = 0.02;
+  bool is_absolute = false;
+  double tolerance = 0; // 0: none, the edge length is given
+  bool is_tolerance_relative = false;
+  CGAL::Polygon_mesh_processing::Tolerated_error tolerated_error = CGAL::Polygon_mesh_processing::MAXIMUM_ERROR;
+  unsigned int remeshing_iterations = 10;
+  double crease_angle = 180;
+  double sharpness_angle = 40;
+  std::size_t iterations = 30;
+  std::size_t free_iterations = 20;
+  std::size_t relaxation_steps = 1;
+  bool is_least_squares = false;
+  double regularity_weight = 0.15; // of least squares
+  bool relax_constraints = false;
+  bool test_self_intersections = false;
+  bool is_sequential = false;
+  double largest_color = 0; // 0: three times the mean error of the remesh
+};
+
+// the extension of a file name, if meshes can be written so
+inline std::string format_of(const std::string& name)
+{
+  const std::string extension = std::filesystem::path(name).extension().string();
+  for(const char* format : { "obj", "ply", "stl" })
+    if(extension == std::string(".") + format)
+      return format;
+  return "off";
+}
+
+// the options, which write to the settings
+inline boost::program_options::options_description describe_options(Settings& s)
+{
+  namespace po = boost::program_options;
+  po::options_description options("Options");
+  // clang-format off
+  options.add_options()
+    ("help,h", "print this help")
+    ("edge-length,l", po::value(&s.edge_length)->default_value(s.edge_length, "0.02"),
+     "target edge length of the remesh, relative to the longest side of the bounding box")
+    ("absolute,a", po::bool_switch(&s.is_absolute), "the edge length is in the unit of the input")
+    ("tolerance,t", po::value<std::string>(),
+     "instead of an edge length: find the coarsest remesh whose largest distance from the faces of the input, in both "
+     "directions, is at most this length, or percentage of the longest side, as in 0.5%; implies --least-squares and "
+     "--relax-constraints, and --reference flat unless another one is given")
+    ("tolerated-error", po::value<std::string>()->default_value("max"), "what --tolerance is for: max, mean or rms")
+    ("remesh,r", po::value(&s.remesh), "take this remesh instead of remeshing the input")
+    ("remeshing-iterations", po::value(&s.remeshing_iterations)->default_value(s.remeshing_iterations),
+     "iterations of isotropic_remeshing()")
+    ("crease-angle,c", po::value(&s.crease_angle)->default_value(s.crease_angle, "180"),
+     "constrain the edges that are sharper than this angle, in degrees")
+    ("relax-constraints", po::bool_switch(&s.relax_constraints), "fit creases and borders along themselves")
+    ("reference", po::value(&s.reference)->default_value(s.reference),
+     "what the input stands for: pn, a smooth surface, or flat, its faces as they are")
+    ("sharpness-angle", po::value(&s.sharpness_angle)->default_value(s.sharpness_angle, "40"),
+     "where the smooth surface has creases, in degrees")
+    ("iterations,n", po::value(&s.iterations)->default_value(s.iterations), "iterations of the optimization at most")
+    ("free-iterations", po::value(&s.free_iterations)->default_value(s.free_iterations),
+     "so many of them are not restricted to the normals")
+    ("relaxation-steps", po::value(&s.relaxation_steps)->default_value(s.relaxation_steps),
+     "steps of the springs in each free iteration")
+    ("least-squares", po::bool_switch(&s.is_least_squares),
+     "place the vertices by least squares over both surfaces instead of the piecewise linear method")
+    ("regularity-weight", po::value(&s.regularity_weight)->default_value(s.regularity_weight, "0.15"),
+     "what the shape of the triangles counts in least squares")
+    ("test-self-intersections", po::bool_switch(&s.test_self_intersections),
+     "cause no new self-intersection; least squares never does")
+    ("sequential", po::bool_switch(&s.is_sequential), "use one thread")
+    ("output,o", po::value(&s.output)->default_value(s.output), "what the names of the written files begin with")
+    ("format", po::value(&s.format), "format of the meshes: off, obj, ply, stl; default: that of the input")
+    ("largest-color", po::value(&s.largest_color),
+     "the error that is yellow, in the unit of the input; default: three times the mean error of the remesh");
+  // clang-format on
+  return options;
+}
+
+// Throws where the settings cannot be used.
+inline void check_settings(const Settings& s)
+{
+  auto require = [](bool condition, const std::string& message) {
+    if(!condition)
+      throw std::runtime_error(message);
+  };
+  require(!s.input.empty(), "which mesh? See --help");
+  require(s.edge_length > 0 && std::isfinite(s.edge_length), "--edge-length must be positive");
+  require(s.is_absolute || s.edge_length <= 1, "--edge-length is relative and must not exceed 1; see --absolute");
+  require(s.crease_angle >= 0 && s.sharpness_angle >= 0, "angles must not be negative");
+  require(s.regularity_weight >= 0, "--regularity-weight must not be negative");
+  require(s.largest_color >= 0, "--largest-color must not be negative");
+  require(s.reference == "pn" || s.reference == "flat", "--reference must be pn or flat");
+  require(s.format == "off" || s.format == "obj" || s.format == "ply" || s.format == "stl",
+          "--format must be off, obj, ply or stl");
+  const std::filesystem::path folder = std::filesystem::path(s.output + "remesh").parent_path();
+  require(folder.empty() || std::filesystem::is_directory(folder), folder.string() + ": there is no such folder");
+}
+
+// Reads a tolerance: a length, or a part of the longest side in percent.
+inline void read_tolerance(const std::string& text, Settings& s)
+{
+  char* end = nullptr;
+  s.tolerance = std::strtod(text.c_str(), &end);
+  s.is_tolerance_relative = *end == '%';
+  if(s.is_tolerance_relative)
+  {
+    s.tolerance /= 100;
+    ++end;
+  }
+  if(text.empty() || *end != 0 || !(s.tolerance > 0) || !std::isfinite(s.tolerance))
+    throw std::runtime_error("--tolerance must be a positive length, or one in percent of the longest side, as in 0.5%");
+}
+
+inline void read_tolerated_error(const std::string& text, Settings& s)
+{
+  namespace PMP = CGAL::Polygon_mesh_processing;
+  for(const auto& [name, kind] :
+      { std::pair("max", PMP::MAXIMUM_ERROR), std::pair("mean", PMP::MEAN_ERROR), std::pair("rms", PMP::RMS_ERROR) })
+    if(text == name)
+    {
+      s.tolerated_error = kind;
+      return;
+    }
+  throw std::runtime_error("--tolerated-error must be max, mean or rms");
+}
+
+// Reads what is about a tolerance.
+inline void read_tolerance_options(const boost::program_options::variables_map& values, Settings& s)
+{
+  read_tolerated_error(values["tolerated-error"].as<std::string>(), s);
+  if(!values.count("tolerance"))
+    return;
+  read_tolerance(values["tolerance"].as<std::string>(), s);
+  if(!s.remesh.empty() || !values["edge-length"].defaulted())
+    throw std::runtime_error(
+      "--tolerance finds the edge length and remeshes: it goes with neither --edge-length nor --remesh");
+  if(values["reference"].defaulted())
+    s.reference = "flat";
+}
+
+// Reads the command line. Returns false if it asks for help, which is given.
+inline bool read_settings(int argc, char* argv[], Settings& s)
+{
+  namespace po = boost::program_options;
+  const po::options_description options = describe_options(s);
+  po::options_description hidden;
+  hidden.add_options()("input", po::value(&s.input));
+  po::positional_options_description positional;
+  positional.add("input", 1);
+  po::options_description all;
+  all.add(options).add(hidden);
+
+  po::variables_map values;
+  po::store(po::command_line_parser(argc, argv).options(all).positional(positional).run(), values);
+  if(values.count("help"))
+  {
+    std::cout << "Usage: optimize_remesh [options] MESH\n\n"
+              << "Remeshes MESH, optimizes the locations of the vertices, prints the errors before and after, and\n"
+              << "writes remesh and optimized, each also with its errors as colors (.ply) and as a scalar (.vtp);\n"
+              << "with --tolerance optimized only, and it exits with 2 if no remesh is within the tolerance.\n"
+              << "Both keep the colors and normals of the vertices that MESH has (.ply, .off), and its texture\n"
+              << "coordinates (.obj).\n\n"
+              << options;
+    return false;
+  }
+  po::notify(values);
+  if(s.format.empty())
+    s.format = format_of(s.input);
+  check_settings(s);
+  read_tolerance_options(values, s);
+  return true;
+}
+
+#endif // VERTEX_LOCATION_OPTIMIZATION_EXAMPLES_OPTIMIZE_REMESH_SETTINGS_H

@@ -126,7 +126,7 @@ std::size_t isotropic_alone(const Model& model, double tolerance, double edge_le
   };
   double beyond = edge_length, within = edge_length;
   for(int step = 0; step < 12 && number == 0; ++step)
-    if(within /= 1.4; !is_within(within))
+    if(within /= 1.7; !is_within(within))
       beyond = within;
   while(number > 0 && beyond > within * 1.03)
     (is_within(std::sqrt(beyond * within)) ? within : beyond) = std::sqrt(beyond * within);

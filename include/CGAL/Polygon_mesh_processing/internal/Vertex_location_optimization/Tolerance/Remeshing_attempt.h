@@ -66,7 +66,9 @@ class Remeshing_attempt
   // hardly smaller.
   static constexpr double largest_part_to_refine = 0.1;
   static constexpr std::size_t least_number_to_refine = 8;
+  static constexpr double margin = 0.985; // of the tolerance: deviations are those of samples
   static constexpr int largest_number_of_rounds = 8;
+  static constexpr int largest_number_in_vain = 3; // rounds, in which no fewer faces were beyond
 
   using Setting = Tolerance_setting<TriangleMesh, Surface>;
   using Edge_map = typename boost::property_map<TriangleMesh, dynamic_edge_property_t<bool>>::type;
@@ -169,8 +171,9 @@ private:
   // Splits what is beyond the tolerance as long as it is little, and measures.
   void refine()
   {
-    double limit = m_setting.tolerance;
-    for(int round = 0;; ++round)
+    double limit = margin * m_setting.tolerance;
+    std::size_t least_number = (std::numeric_limits<std::size_t>::max)(); // of faces beyond, so far
+    for(int round = 0, rounds_in_vain = 0;; ++round)
     {
       Mesh_arrays mesh;
       Mesh_descriptors<TriangleMesh> descriptors;
@@ -190,7 +193,10 @@ private:
         limit *= 0.99 * m_setting.tolerance / tolerated_value(m_report, m_setting.kind);
         faces_beyond = find_faces_beyond(limit, deviations, descriptors, m_mesh);
       }
-      if(round == largest_number_of_rounds || faces_beyond.size() > largest_number || !m_visitor.go_further())
+      rounds_in_vain = faces_beyond.size() < least_number ? 0 : rounds_in_vain + 1;
+      least_number = (std::min)(least_number, faces_beyond.size());
+      if(round == largest_number_of_rounds || rounds_in_vain > largest_number_in_vain ||
+         faces_beyond.size() > largest_number || !m_visitor.go_further())
         break;
       split_longest_sides(faces_beyond, m_mesh, get(vertex_point, m_mesh), *m_is_constrained,
                           access_reference(m_setting.surface));
@@ -227,11 +233,11 @@ private:
   std::vector<double> measure_face_deviations(const Mesh_arrays& mesh) const
   {
     const auto& reference = access_reference(m_setting.surface);
-    return measure_deviations<ConcurrencyTag>(mesh, reference, samples_for(mesh));
+    return measure_deviations<ConcurrencyTag>(mesh, reference, samples_for(mesh).points);
   }
 
   // as dense as so many samples for each face of a mesh
-  std::vector<Point> samples_for(const Mesh_arrays& mesh) const
+  Reference_samples samples_for(const Mesh_arrays& mesh) const
   {
     constexpr double samples_per_face = 36;
     double area = 0;
@@ -257,7 +263,7 @@ private:
       Mesh_arrays mesh;
       Mesh_descriptors<TriangleMesh> descriptors;
       read_mesh(m_mesh, get(vertex_point, m_mesh), mesh, descriptors);
-      return measure_samples<ConcurrencyTag>(samples_for(mesh), m_setting.input_arrays.points.size(), mesh);
+      return measure_samples<ConcurrencyTag>(samples_for(mesh), mesh);
     }
     else
     {

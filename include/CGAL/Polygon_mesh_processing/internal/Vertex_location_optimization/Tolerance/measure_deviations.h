@@ -14,30 +14,55 @@
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/Mesh_arrays.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
-// The vertices of the input and points spread evenly over it, each of which stands for `area_of_sample`, on the reference
-// that it was made into; on the reference itself if that can be sampled.
-template <typename ConcurrencyTag, typename Reference, typename InputPatches>
-std::vector<Point> sample_reference(const Reference& reference,
-                                    const Mesh_arrays& input,
-                                    const InputPatches& input_patches,
-                                    double area_of_sample)
+// Points of the reference, and how many of the first ones count for the maximum only.
+struct Reference_samples
 {
-  std::vector<Point> samples = input.points;
+  std::vector<Point> points;
+  std::size_t number_of_extremes;
+};
+
+// The vertices of a mesh, and points of its edges that are at most so far apart: where its distance has ridges.
+inline std::vector<Point> sample_edges(const Mesh_arrays& mesh, double spacing)
+{
+  constexpr double most_per_edge = 1e4;
+  std::vector<Point> samples = mesh.points;
+  for(Index e = 0; e < mesh.edges.size(); ++e)
+  {
+    const Point& p = mesh.points[mesh.edges[e][0]];
+    const Vector v = mesh.points[mesh.edges[e][1]] - p;
+    const double pieces = (std::min)(1 + std::ceil(norm(v) / spacing), most_per_edge);
+    for(int i = 1; i < pieces; ++i)
+      samples.push_back(p + (i / pieces) * v);
+  }
+  return samples;
+}
+
+// The vertices and edges of the input and points spread evenly over it, each of which stands for `area_of_sample`, on the
+// reference that it was made into; on the reference itself if that can be sampled.
+template <typename ConcurrencyTag, typename Reference, typename InputPatches>
+Reference_samples sample_reference(const Reference& reference,
+                                   const Mesh_arrays& input,
+                                   const InputPatches& input_patches,
+                                   double area_of_sample)
+{
+  std::vector<Point> samples = sample_edges(input, std::sqrt(area_of_sample));
+  const std::size_t number_of_extremes = samples.size();
   const bool is_sampled = reference.area() > 0;
   if(is_sampled)
     reference.for_each_area_sample(area_of_sample, [&](const auto& foot) { samples.push_back(reference.point(foot)); });
   else
     input_patches.for_each_area_sample(area_of_sample,
                                        [&](const auto& foot) { samples.push_back(input_patches.point(foot)); });
-  for_each_index<ConcurrencyTag>(is_sampled ? input.points.size() : samples.size(),
+  for_each_index<ConcurrencyTag>(is_sampled ? number_of_extremes : samples.size(),
                                  [&](std::size_t i) { samples[i] = reference.point(reference.project(samples[i])); });
-  return samples;
+  return { std::move(samples), number_of_extremes };
 }
 
 // the faces of a mesh to measure the distance to
@@ -84,16 +109,15 @@ measure_deviations(const Mesh_arrays& mesh, const Reference& reference, const st
   return deviations;
 }
 
-// The distance of the samples to a mesh; the vertices of the input, which come first, count for the maximum only.
+// the distance of the samples to a mesh
 template <typename ConcurrencyTag>
-Approximation_error
-measure_samples(const std::vector<Point>& samples, std::size_t number_of_vertices, const Mesh_arrays& mesh)
+Approximation_error measure_samples(const Reference_samples& samples, const Mesh_arrays& mesh)
 {
   Error_sum sum;
   std::size_t i = 0;
-  for(const auto& [face, distance] : measure_distances<ConcurrencyTag>(samples, mesh))
+  for(const auto& [face, distance] : measure_distances<ConcurrencyTag>(samples.points, mesh))
   {
-    const double weight = i++ < number_of_vertices ? 0 : 1;
+    const double weight = i++ < samples.number_of_extremes ? 0 : 1;
     sum.area += weight;
     sum.distance += weight * distance;
     sum.squared_distance += weight * distance * distance;

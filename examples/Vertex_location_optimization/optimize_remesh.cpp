@@ -115,8 +115,7 @@ template <typename Concurrency, typename Surface>
 Measures measure(const Mesh& mesh, const Mesh& refined_input, const Surface& reference, Error_map errors)
 {
   return { PMP::approximation_error<Concurrency>(mesh, reference, CGAL::parameters::vertex_error_map(errors)),
-           PMP::approximation_error<Concurrency>(refined_input, PMP::Flat_triangle_surface<Mesh>(mesh),
-                                                 CGAL::parameters::number_of_points_per_face(1)),
+           PMP::approximation_error<Concurrency>(refined_input, PMP::Flat_triangle_surface<Mesh>(mesh)),
            measure_regularity(mesh) };
 }
 
@@ -125,8 +124,11 @@ void print_table(const Measures& before, const Measures& after, double side)
   auto print_row = [&](const char* name, double a, double b, bool is_error) {
     const double unit = is_error ? side * 1e-4 : 1;
     std::printf("  %-32s %10.3f %10.3f", name, a / unit, b / unit);
-    if(is_error && a > 0)
+    constexpr double nothing = 1e-9; // relative to the longest side: rounding
+    if(is_error && a > nothing * side)
       std::printf(" %+9.1f%%", 100 * (b - a) / a);
+    else if(is_error)
+      std::printf(" %10s", "-");
     std::printf("\n");
   };
   std::printf("\n  %-32s %10s %10s\n", "", "before", "after");

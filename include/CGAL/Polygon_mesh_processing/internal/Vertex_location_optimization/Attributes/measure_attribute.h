@@ -51,7 +51,7 @@ Error_sum measure_attribute(const Mesh_arrays& mesh,
     const double count = static_cast<double>(number_of_lattice_points(pieces));
     faces[f] = { mesh.area(f), sum / count, sum_of_squares / count, max };
   });
-  return sum_of_faces<ConcurrencyTag>(faces);
+  return sum_over_indices<ConcurrencyTag, Error_sum>(faces.size(), [&](std::size_t f) { return Error_sum(faces[f]); });
 }
 
 } // namespace CGAL::Polygon_mesh_processing::internal::vertex_location

@@ -18,6 +18,16 @@
 #include <cstdio>
 #include <iostream>
 
+// whether someone is looking
+inline bool is_terminal()
+{
+#ifdef _WIN32
+  return _isatty(_fileno(stderr)) != 0;
+#else
+  return isatty(fileno(stderr)) != 0;
+#endif
+}
+
 // Shows the progress on a terminal.
 class Progress_bar : public CGAL::Polygon_mesh_processing::Vertex_location_optimization_default_visitor
 {
@@ -37,15 +47,6 @@ public:
   }
 
 private:
-  static bool is_terminal()
-  {
-#ifdef _WIN32
-    return _isatty(_fileno(stderr)) != 0;
-#else
-    return isatty(fileno(stderr)) != 0;
-#endif
-  }
-
   std::size_t m_iterations;
   bool m_is_visible;
 };

@@ -9,6 +9,7 @@
 #include "mesh_output.h"
 #include "optimize_remesh_settings.h"
 #include "Progress_bar.h"
+#include "Table_of_attempts.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/approximation_error.h>
@@ -19,6 +20,7 @@
 #include <CGAL/Polygon_mesh_processing/optimize_vertex_locations.h>
 #include <CGAL/Polygon_mesh_processing/PN_triangle_surface.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
+#include <CGAL/Polygon_mesh_processing/remesh_within_tolerance.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/subdivision_method_3.h>
 #include <CGAL/Surface_mesh.h>
@@ -207,14 +209,76 @@ void optimize(const Settings& s, const Mesh& input, Mesh& mesh, Crease_map is_cr
               s.output.c_str(), s.output.c_str(), largest_color, largest_color / side * 1e4);
 }
 
-template <typename Concurrency>
-void run(const Settings& s)
+// Finds the coarsest remesh within the tolerance, and writes it. Returns whether there is one.
+template <typename Concurrency, typename Surface>
+bool remesh_within_tolerance(const Settings& s, const Mesh& input, Crease_map is_crease, const Surface& reference)
 {
-  const Mesh input = read_mesh(s.input, false);
+  const double side = longest_side(input), tolerance = s.is_tolerance_relative ? s.tolerance * side : s.tolerance;
+  const auto remesh = [&](Mesh& mesh, double edge_length, const auto& is_constrained, const auto& is_corner) {
+    PMP::isotropic_remeshing(faces(mesh), edge_length, mesh,
+                             CGAL::parameters::number_of_iterations(s.remeshing_iterations)
+                               .number_of_relaxation_steps(3)
+                               .edge_is_constrained_map(is_constrained)
+                               .vertex_is_constrained_map(is_corner));
+  };
+  Mesh mesh;
+  Table_of_attempts table(side);
+  CGAL::Real_timer timer;
+  timer.start();
+  const PMP::Tolerance_report report =
+    PMP::remesh_within_tolerance<Concurrency>(input, tolerance, mesh, remesh,
+                                              CGAL::parameters::tolerated_error(s.tolerated_error)
+                                                .reference_surface(std::cref(reference))
+                                                .regularity_weight(s.regularity_weight)
+                                                .number_of_iterations(s.iterations)
+                                                .edge_is_constrained_map(is_crease)
+                                                .visitor(std::ref(table)));
+  std::printf("  Errors in 1/10000 of the longest side of the bounding box; the tolerance is %.3f.\n\n",
+              tolerance / side * 1e4);
+  if(report.number_of_vertices == 0)
+    throw std::runtime_error("nothing is left of the mesh, whatever the edge length");
+  std::printf("%s: %zu vertices, edge length %.6g, %zu remeshings, %.2f s\n",
+              report.is_within_tolerance ? "within the tolerance" : "the smallest error, but NOT within the tolerance",
+              report.number_of_vertices, report.edge_length, report.number_of_remeshings, timer.time());
+
+  mesh.collect_garbage();
+  Error_map errors = mesh.add_property_map<Mesh::Vertex_index, double>("v:error").first;
+  PMP::approximation_error<Concurrency>(mesh, reference, CGAL::parameters::vertex_error_map(errors));
+  const double largest_color = s.largest_color > 0 ? s.largest_color : 3 * report.to_reference.mean;
+  transfer_attributes<Concurrency>(input, reference, mesh, CGAL::Static_boolean_property_map<Mesh::Edge_index, false>());
+  write_mesh_with_attributes(s.output + "optimized." + s.format, mesh);
+  write_colored_PLY(s.output + "optimized_error.ply", mesh, errors, largest_color);
+  write_VTP(s.output + "optimized_error.vtp", mesh, "error", errors);
+  std::printf("written: %soptimized*\n", s.output.c_str());
+  return report.is_within_tolerance;
+}
+
+template <typename Concurrency>
+bool remesh_within_tolerance(const Settings& s, Mesh& input)
+{
+  const Crease_map is_crease = mark_creases(input, s.crease_angle);
+  if(Mesh_attributes<Point> attributes(input); attributes.has_texture)
+  {
+    std::printf("texture coordinates are not kept with --tolerance\n");
+    input.remove_property_map(attributes.texture);
+  }
+  const auto creases = CGAL::parameters::sharpness_angle((std::min)(s.sharpness_angle, s.crease_angle));
+  if(s.reference == "flat")
+    return remesh_within_tolerance<Concurrency>(s, input, is_crease, PMP::Flat_triangle_surface<Mesh>(input, creases));
+  return remesh_within_tolerance<Concurrency>(s, input, is_crease, PMP::PN_triangle_surface<Mesh>(input, creases));
+}
+
+// Returns whether the result is as good as was asked for.
+template <typename Concurrency>
+bool run(const Settings& s)
+{
+  Mesh input = read_mesh(s.input, false);
   const double side = longest_side(input);
   if(!(side > 0))
     throw std::runtime_error(s.input + ": all its points are the same");
   std::printf("%s: %u vertices\n", std::filesystem::path(s.input).filename().string().c_str(), input.number_of_vertices());
+  if(s.tolerance > 0)
+    return remesh_within_tolerance<Concurrency>(s, input);
 
   CGAL::Real_timer timer;
   timer.start();
@@ -237,6 +301,7 @@ void run(const Settings& s)
   else
     optimize<Concurrency>(s, input, mesh, is_crease,
                           PMP::PN_triangle_surface<Mesh>(input, CGAL::parameters::sharpness_angle(s.sharpness_angle)));
+  return true;
 }
 
 int main(int argc, char* argv[])
@@ -246,11 +311,9 @@ int main(int argc, char* argv[])
     Settings settings;
     if(!read_settings(argc, argv, settings))
       return EXIT_SUCCESS;
-    if(settings.is_sequential)
-      run<CGAL::Sequential_tag>(settings);
-    else
-      run<CGAL::Parallel_if_available_tag>(settings);
-    return EXIT_SUCCESS;
+    const bool is_good =
+      settings.is_sequential ? run<CGAL::Sequential_tag>(settings) : run<CGAL::Parallel_if_available_tag>(settings);
+    return is_good ? EXIT_SUCCESS : 2;
   }
   catch(const std::exception& e)
   {

@@ -8,14 +8,18 @@
 #ifndef VERTEX_LOCATION_OPTIMIZATION_EXAMPLES_OPTIMIZE_REMESH_SETTINGS_H
 #define VERTEX_LOCATION_OPTIMIZATION_EXAMPLES_OPTIMIZE_REMESH_SETTINGS_H
 
+#include <CGAL/Polygon_mesh_processing/Tolerance_report.h>
+
 #include <boost/program_options.hpp>
 
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 struct Settings
 {
@@ -26,6 +30,9 @@ struct Settings
   std::string reference = "pn";
   double edge_length = 0.02;
   bool is_absolute = false;
+  double tolerance = 0; // 0: none, the edge length is given
+  bool is_tolerance_relative = false;
+  CGAL::Polygon_mesh_processing::Tolerated_error tolerated_error = CGAL::Polygon_mesh_processing::MAXIMUM_ERROR;
   unsigned int remeshing_iterations = 10;
   double crease_angle = 180;
   double sharpness_angle = 40;
@@ -61,6 +68,11 @@ inline boost::program_options::options_description describe_options(Settings& s)
     ("edge-length,l", po::value(&s.edge_length)->default_value(s.edge_length, "0.02"),
      "target edge length of the remesh, relative to the longest side of the bounding box")
     ("absolute,a", po::bool_switch(&s.is_absolute), "the edge length is in the unit of the input")
+    ("tolerance,t", po::value<std::string>(),
+     "instead of an edge length: find the coarsest remesh whose largest distance from the faces of the input, in both "
+     "directions, is at most this length, or percentage of the longest side, as in 0.5%; implies --least-squares and "
+     "--relax-constraints, and --reference flat unless another one is given")
+    ("tolerated-error", po::value<std::string>()->default_value("max"), "what --tolerance is for: max, mean or rms")
     ("remesh,r", po::value(&s.remesh),
      "take this remesh, with faces of any number of corners, instead of remeshing the input")
     ("remeshing-iterations", po::value(&s.remeshing_iterations)->default_value(s.remeshing_iterations),
@@ -112,6 +124,48 @@ inline void check_settings(const Settings& s)
   require(folder.empty() || std::filesystem::is_directory(folder), folder.string() + ": there is no such folder");
 }
 
+// Reads a tolerance: a length, or a part of the longest side in percent.
+inline void read_tolerance(const std::string& text, Settings& s)
+{
+  char* end = nullptr;
+  s.tolerance = std::strtod(text.c_str(), &end);
+  s.is_tolerance_relative = *end == '%';
+  if(s.is_tolerance_relative)
+  {
+    s.tolerance /= 100;
+    ++end;
+  }
+  if(text.empty() || *end != 0 || !(s.tolerance > 0) || !std::isfinite(s.tolerance))
+    throw std::runtime_error("--tolerance must be a positive length, or one in percent of the longest side, as in 0.5%");
+}
+
+inline void read_tolerated_error(const std::string& text, Settings& s)
+{
+  namespace PMP = CGAL::Polygon_mesh_processing;
+  for(const auto& [name, kind] :
+      { std::pair("max", PMP::MAXIMUM_ERROR), std::pair("mean", PMP::MEAN_ERROR), std::pair("rms", PMP::RMS_ERROR) })
+    if(text == name)
+    {
+      s.tolerated_error = kind;
+      return;
+    }
+  throw std::runtime_error("--tolerated-error must be max, mean or rms");
+}
+
+// Reads what is about a tolerance.
+inline void read_tolerance_options(const boost::program_options::variables_map& values, Settings& s)
+{
+  read_tolerated_error(values["tolerated-error"].as<std::string>(), s);
+  if(!values.count("tolerance"))
+    return;
+  read_tolerance(values["tolerance"].as<std::string>(), s);
+  if(!s.remesh.empty() || !values["edge-length"].defaulted())
+    throw std::runtime_error(
+      "--tolerance finds the edge length and remeshes: it goes with neither --edge-length nor --remesh");
+  if(values["reference"].defaulted())
+    s.reference = "flat";
+}
+
 // Reads the command line. Returns false if it asks for help, which is given.
 inline bool read_settings(int argc, char* argv[], Settings& s)
 {
@@ -130,7 +184,8 @@ inline bool read_settings(int argc, char* argv[], Settings& s)
   {
     std::cout << "Usage: optimize_remesh [options] MESH\n\n"
               << "Remeshes MESH, optimizes the locations of the vertices, prints the errors before and after, and\n"
-              << "writes remesh and optimized, each also with its errors as colors (.ply) and as a scalar (.vtp).\n"
+              << "writes remesh and optimized, each also with its errors as colors (.ply) and as a scalar (.vtp);\n"
+              << "with --tolerance optimized only, and it exits with 2 if no remesh is within the tolerance.\n"
               << "Both keep the colors and normals of the vertices that MESH has (.ply, .off), and its texture\n"
               << "coordinates (.obj).\n\n"
               << options;
@@ -140,6 +195,7 @@ inline bool read_settings(int argc, char* argv[], Settings& s)
   if(s.format.empty())
     s.format = format_of(s.input);
   check_settings(s);
+  read_tolerance_options(values, s);
   return true;
 }
 

@@ -54,6 +54,13 @@ check_refused triangle.off --reference round
 check_refused triangle.off --format xyz
 check_refused triangle.off --regularity-weight -1
 check_refused triangle.off --no-such-option
+for tolerance in 0 -1 nan inf much 1mm % '' 1e999; do
+  check_refused triangle.off "--tolerance=$tolerance"
+done
+check_refused triangle.off --tolerance 1% --edge-length 0.1
+check_refused triangle.off --tolerance 1% --remesh triangle.off
+check_refused triangle.off --tolerance 1% --tolerated-error median
+check_refused one_point.off --tolerance 1%
 check_refused triangle.off triangle.off
 
 if "$program" triangle.off -o missing_folder/ > stdout 2> stderr || [ "$(wc -l < stderr)" != 1 ]; then
@@ -69,6 +76,21 @@ done
 grep -q '^4 ' quads_optimized.off || fail "no quads"
 "$program" triangle.off --edge-length 0.3 --least-squares --regularity-weight 0.2 -o least_squares_ > stdout 2> stderr ||
   fail "least squares"
+
+# a tolerance: a square keeps its corners
+printf 'OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n' > square.off
+"$program" square.off --tolerance 1% -o within_ > stdout 2> stderr || fail "a tolerance in percent"
+grep -q '^within the tolerance: ' stdout || fail "no report of the tolerance"
+grep -q ' within$' stdout || fail "no table of the attempts"
+[ -s stderr ] && fail "standard error is no terminal and got something about a tolerance"
+for corner in '0 0 0' '1 0 0' '1 1 0' '0 1 0'; do
+  grep -qx "$corner" within_optimized.off || fail "the corner $corner is lost"
+done
+for file in optimized.off optimized_error.ply optimized_error.vtp; do
+  [ -s "within_$file" ] || fail "within_$file is missing"
+done
+"$program" square.off --tolerance 0.01 --tolerated-error mean --reference pn -o within_ > stdout 2> stderr ||
+  fail "a tolerance as a length"
 
 # the input's attributes: colors and normals of a square, and the texture coordinates of a square
 # whose halves are apart in the texture

@@ -15,6 +15,7 @@
 #include <CGAL/Polygon_mesh_processing/Flat_triangle_surface.h>
 #include <CGAL/Polygon_mesh_processing/optimize_vertex_attributes.h>
 #include <CGAL/Polygon_mesh_processing/optimize_vertex_locations.h>
+#include <CGAL/Polygon_mesh_processing/remesh_within_tolerance.h>
 #include <CGAL/Polygon_mesh_processing/transfer_face_attributes.h>
 
 #include <CGAL/assertions_behaviour.h>
@@ -322,6 +323,36 @@ void test_attributes_refused()
   }
 }
 
+void check_tolerance_refused(const Mesh& input, double tolerance, double precision = 0.02)
+{
+  Mesh result = sphere;
+  check_violation([&] {
+    const PMP::Tolerance_report report =
+      PMP::remesh_within_tolerance(input, tolerance, result, CGAL::parameters::edge_length_precision(precision));
+    CHECK_EQUAL(report.number_of_remeshings, 0u);
+    CHECK(!report.is_within_tolerance);
+  });
+  CHECK(are_same(points_of(result), points_of(sphere)));
+}
+
+void test_tolerances_refused()
+{
+  start_topic("Tolerances and meshes that cannot be remeshed within them");
+  for(double bad : { 0., -1., std::numeric_limits<double>::quiet_NaN(), HUGE_VAL })
+  {
+    check_tolerance_refused(reference, bad);
+    check_tolerance_refused(reference, 0.01, bad);
+  }
+  check_tolerance_refused(empty, 0.01);
+  check_tolerance_refused(make_mesh(transformed(icosphere(1), [](const Point&) { return Point(1, 0, 0); })), 0.01);
+  Mesh quads = sphere;
+  CGAL::Euler::join_face(quads.halfedge(Mesh::Edge_index(5)), quads);
+  check_tolerance_refused(quads, 0.01);
+  Mesh infinite = sphere;
+  infinite.point(Vertex(10)) = Point(HUGE_VAL, 0, 0);
+  check_tolerance_refused(infinite, 0.01);
+}
+
 int main()
 {
   CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) {}); // no words, only exceptions
@@ -331,5 +362,6 @@ int main()
   test_odd_connectivity();
   test_scales();
   test_attributes_refused();
+  test_tolerances_refused();
   return test_result();
 }

@@ -77,7 +77,7 @@ std::string make_image_of_mesh(const TriangleMesh& tmesh, const VertexPointMap& 
 
   if(image.width() < 2 || image.height() < 2)
     return "the image has fewer than two rows or columns";
-  if(!PMP::internal::vertex_location::is_valid_input(tmesh, vpm))
+  if(!PMP::internal::vertex_location::is_finite_triangle_mesh(tmesh, vpm))
     return "the mesh has faces that are no triangles, or coordinates that are not finite";
 
   Double_mesh mesh;

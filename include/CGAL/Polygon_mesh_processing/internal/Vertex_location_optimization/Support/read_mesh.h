@@ -33,6 +33,13 @@ bool has_finite_points(const PolygonMesh& pmesh, const VertexPointMap& vpm)
   return true;
 }
 
+// Whether all faces of `tmesh` are triangles, and all its coordinates finite.
+template <typename TriangleMesh, typename VertexPointMap>
+bool is_finite_triangle_mesh(const TriangleMesh& tmesh, const VertexPointMap& vpm)
+{
+  return is_triangle_mesh(tmesh) && has_finite_points(tmesh, vpm);
+}
+
 // Whether each face of `pmesh` has three corners or more, and those with more than three have no vertex twice.
 template <typename PolygonMesh>
 bool has_valid_faces(const PolygonMesh& pmesh)

@@ -1,0 +1,82 @@
+// Copyright (c) 2026 The Vertex_location_optimization authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POLYGON_MESH_PROCESSING_TOLERANCE_REPORT_H
+#define CGAL_POLYGON_MESH_PROCESSING_TOLERANCE_REPORT_H
+
+#include <CGAL/Polygon_mesh_processing/approximation_error.h>
+#include <CGAL/Polygon_mesh_processing/Vertex_location_optimization_report.h>
+
+#include <cstddef>
+#include <limits>
+
+namespace CGAL {
+namespace Polygon_mesh_processing {
+
+/*!
+ * \ingroup PkgVertexLocationOptimizationRef
+ *
+ * \brief Which error `CGAL::Polygon_mesh_processing::remesh_within_tolerance()` keeps within the tolerance: the larger one of
+ *        the two directions, from the remesh to the reference and back.
+ */
+enum Tolerated_error
+{
+  /// the largest distance: the Hausdorff distance of the two surfaces
+  MAXIMUM_ERROR,
+  /// the mean of the distance
+  MEAN_ERROR,
+  /// the root of the mean of the squared distance
+  RMS_ERROR
+};
+
+/*!
+ * \ingroup PkgVertexLocationOptimizationRef
+ *
+ * \brief What `CGAL::Polygon_mesh_processing::remesh_within_tolerance()` has found, in the unit of the input.
+ */
+struct Tolerance_report
+{
+  /// the edge length that the remesher was given
+  double edge_length = 0;
+
+  /// the distance of the points of the remesh to the reference; infinite if there is no remesh
+  Approximation_error to_reference = { infinity, infinity, infinity };
+
+  /// the distance of the points of the reference to the remesh; infinite if there is no remesh
+  Approximation_error from_reference = { infinity, infinity, infinity };
+
+  /// how often the remesher was called; in the report of an attempt, up to it
+  std::size_t number_of_remeshings = 0;
+
+  /// whether the tolerated error of both directions, as measured, is not larger than the tolerance
+  bool is_within_tolerance = false;
+
+  /// the number of vertices of the remesh
+  std::size_t number_of_vertices = 0;
+
+private:
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+};
+
+/*!
+ * \ingroup PkgVertexLocationOptimizationRef
+ *
+ * \brief The default visitor of `CGAL::Polygon_mesh_processing::remesh_within_tolerance()`: it does nothing.
+ *
+ * \cgalModels{ToleranceVisitor}
+ */
+struct Tolerance_default_visitor : Vertex_location_optimization_default_visitor
+{
+  /// is called before each remeshing with the edge length that the remesher will be given.
+  void start_remeshing(double) {}
+
+  /// is called when a remesh has been optimized and measured, with the report of it.
+  void end_remeshing(const Tolerance_report&) {}
+};
+
+} // namespace Polygon_mesh_processing
+} // namespace CGAL
+
+#endif // CGAL_POLYGON_MESH_PROCESSING_TOLERANCE_REPORT_H

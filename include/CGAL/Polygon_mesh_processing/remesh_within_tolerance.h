@@ -1,0 +1,241 @@
+// Copyright (c) 2026 The Vertex_location_optimization authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POLYGON_MESH_PROCESSING_REMESH_WITHIN_TOLERANCE_H
+#define CGAL_POLYGON_MESH_PROCESSING_REMESH_WITHIN_TOLERANCE_H
+
+#include <CGAL/Polygon_mesh_processing/Flat_triangle_surface.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/named_parameters.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/read_mesh.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/read_parameters.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Tolerance/find_coarsest_remesh.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Tolerance/read_tolerance_parameters.h>
+#include <CGAL/Polygon_mesh_processing/remesh.h>
+#include <CGAL/Polygon_mesh_processing/Tolerance_report.h>
+
+#include <CGAL/assertions.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/number_utils.h>
+#include <CGAL/tags.h>
+
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <type_traits>
+
+namespace CGAL {
+namespace Polygon_mesh_processing {
+
+/*!
+ * \ingroup PkgVertexLocationOptimizationRef
+ *
+ * \brief finds the coarsest remesh of a triangle mesh whose error is within a tolerance.
+ *
+ * The remesher is called with one edge length after the other, each time for a copy of `input`. Each remesh is optimized by
+ * `optimize_vertex_locations()` and measured in both directions, from the remesh to the reference and back. The error goes
+ * about with the square of the edge length; a secant method in logarithms, which starts at a guess from the curvature of the
+ * input, needs four to seven remeshings as a rule to know the edge length to 2%. It does not rely on that: the error may have
+ * noise or jumps, and the remesher may ignore the length or fail at some. The remesh with the fewest vertices among those
+ * within the tolerance is the result; if none is, it is the one with the smallest error, and the report says so.
+ *
+ * The error is measured to the faces of `input` as they are, and what the report says is what was measured on the result by
+ * `approximation_error()`. Whoever means the smooth surface that `input` stands for gives it as `reference_surface`.
+ *
+ * The largest distance is often that of a few spots only. If no more than a tenth of the faces of a remesh is beyond a
+ * tolerated `MAXIMUM_ERROR` after the optimization, they are split at their longest sides and the remesh is optimized again:
+ * a few vertices there save many elsewhere. The result can thus have more vertices than the remesher made.
+ *
+ * No remesh is asked for that would have more than four times as many faces as `input`, or 100000 if that is more. The
+ * result is deterministic if the remesher is, and does not depend on the number of threads.
+ *
+ * \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
+ *                        `Parallel_tag`, and `Parallel_if_available_tag`. The remesher is called sequentially.
+ * \tparam TriangleMesh a model of `VertexListGraph`, `EdgeListGraph`, `FaceListGraph`, and `MutableFaceGraph` that has an
+ *                      internal property map for `CGAL::vertex_point_t`. It can be copied, and a copy has its vertices and
+ *                      edges in the same order.
+ * \tparam Remesh a function object; see `remesh`
+ * \tparam NamedParameters1 a sequence of \ref bgl_namedparameters "Named Parameters"
+ * \tparam NamedParameters2 a sequence of \ref bgl_namedparameters "Named Parameters"
+ *
+ * \param input the triangle mesh to remesh
+ * \param tolerance the largest error that is tolerated, in the unit of the input
+ * \param result the remesh. It can be `input` itself. If the remesher leaves removed elements in a mesh, so does `result`.
+ * \param remesh a remesher or simplifier: `remesh(mesh, edge_length)` remeshes `mesh`, a copy of `input`, by the edge length,
+ *               or by another size that goes with it. If it takes one argument more, that is a model of
+ *               `ReadWritePropertyMap` with the edges of `mesh` as keys and `bool` as values, and holds which of them are
+ *               constrained; the remesher keeps them and the map up to date, as `isotropic_remeshing()` does. A remesher that
+ *               does not take it can put another mesh in the place of `mesh`, and has no constrained edges. If it takes two
+ *               more, the other one is such a map for the vertices, and holds the corners that should stay: those of
+ *               constrained edges and of the border, unless there are exactly two that form an angle of more than 120 degrees.
+ *               What `remesh` throws is passed on; `result` is untouched then. A mesh without a face, with other faces than
+ *               triangles, or with a coordinate that is not finite is a failure at that edge length.
+ * \param np1 an optional sequence of \ref bgl_namedparameters "Named Parameters": those of `optimize_vertex_locations()`,
+ *            which are passed on to it, but for the maps that would be of the remesh, `vertex_point_map` and
+ *            `vertex_is_constrained_map`; and the ones listed below
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{tolerated_error}
+ *     \cgalParamDescription{which error is kept within the tolerance, in both directions}
+ *     \cgalParamType{`Tolerated_error`}
+ *     \cgalParamDefault{`MAXIMUM_ERROR`}
+ *   \cgalParamNEnd
+ *
+ *   \cgalParamNBegin{edge_length_precision}
+ *     \cgalParamDescription{The search ends when an edge length is known that is within the tolerance, and another one that
+ *                           is not and larger by no more than this part.}
+ *     \cgalParamType{a number type convertible to `double`}
+ *     \cgalParamDefault{`0.02`}
+ *   \cgalParamNEnd
+ *
+ *   \cgalParamNBegin{maximum_number_of_remeshings}
+ *     \cgalParamDescription{how often the remesher is called at most}
+ *     \cgalParamType{unsigned integer}
+ *     \cgalParamDefault{`12`}
+ *   \cgalParamNEnd
+ *
+ *   \cgalParamNBegin{reference_surface}
+ *     \cgalParamDescription{the surface that remeshes are fitted to and measured with, instead of the faces of `input`. In the
+ *                           direction back its points are sampled if it is one of this package, else the points closest to
+ *                           those of the faces of `input`.}
+ *     \cgalParamType{a model of `ReferenceSurface`, or `std::cref()` of one, so that it is not copied}
+ *     \cgalParamDefault{a `Flat_triangle_surface` of `input`, made once for all remeshings}
+ *   \cgalParamNEnd
+ *
+ *   \cgalParamNBegin{edge_is_constrained_map}
+ *     \cgalParamDescription{a property map containing the constrained-or-not status of each edge of `input`. These edges are
+ *                           the creases that the remesher is told to keep, and those of the reference, unless `np2` has
+ *                           others.}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with
+ *                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type}
+ *     \cgalParamDefault{a default property map where no edge is constrained}
+ *   \cgalParamNEnd
+ *
+ *   \cgalParamNBegin{placement_method}
+ *     \cgalParamDescription{as in `optimize_vertex_locations()`, with another default}
+ *     \cgalParamType{`Placement_method`}
+ *     \cgalParamDefault{`LEAST_SQUARES`}
+ *   \cgalParamNEnd
+ *
+ *   \cgalParamNBegin{relax_constraints}
+ *     \cgalParamDescription{as in `optimize_vertex_locations()`, with another default: constrained edges and the border are
+ *                           fitted along those of the input, so that they need fewer vertices. If `false`, their vertices
+ *                           stay where the remesher has put them.}
+ *     \cgalParamType{Boolean}
+ *     \cgalParamDefault{`true`}
+ *   \cgalParamNEnd
+ *
+ *   \cgalParamNBegin{visitor}
+ *     \cgalParamDescription{a visitor that is told about each remeshing and can end the search}
+ *     \cgalParamType{a class model of `ToleranceVisitor`; `std::ref()` of one, so that it is not copied}
+ *     \cgalParamDefault{`Tolerance_default_visitor`}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * \param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters": those of the constructor of
+ *            `Flat_triangle_surface` for the creases of `input`, but for `vertex_point_map`; not used if there is a
+ *            `reference_surface`
+ *
+ * \pre `CGAL::is_triangle_mesh(input)`, it has a face, all its coordinates are finite, and not all its points are the same
+ * \pre `tolerance` and `edge_length_precision` are positive and finite
+ *
+ * \return what was found. If a precondition is violated and not checked, `result` is untouched and the report says that there
+ *         was no remeshing.
+ *
+ * \sa `CGAL::Polygon_mesh_processing::optimize_vertex_locations()`
+ * \sa `CGAL::Polygon_mesh_processing::approximation_error()`
+ * \sa `CGAL::Polygon_mesh_processing::isotropic_remeshing()`
+ */
+template <typename ConcurrencyTag = Sequential_tag,
+          typename TriangleMesh,
+          typename Remesh,
+          typename NamedParameters1 = parameters::Default_named_parameters,
+          typename NamedParameters2 = parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          ,
+          std::enable_if_t<!internal::Is_named_parameters<Remesh>::value, int> = 0
+#endif
+          >
+Tolerance_report remesh_within_tolerance(const TriangleMesh& input,
+                                         double tolerance,
+                                         TriangleMesh& result,
+                                         const Remesh& remesh,
+                                         const NamedParameters1& np1 = parameters::default_values(),
+                                         const NamedParameters2& np2 = parameters::default_values())
+{
+  using namespace internal::vertex_location;
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using parameters::is_default_parameter;
+
+  const Search_limits limits = read_search_limits(np1);
+  const bool is_valid = tolerance > 0 && std::isfinite(tolerance) && limits.edge_length_precision > 0 &&
+                        std::isfinite(limits.edge_length_precision) && is_triangle_mesh(input);
+  CGAL_precondition(is_valid);
+  Mesh_arrays arrays;
+  Mesh_descriptors<TriangleMesh> descriptors;
+  if(!is_valid || !read_mesh(input, get(vertex_point, input), arrays, descriptors))
+    return {};
+  const Mesh_extent extent(arrays);
+  const bool has_extent = arrays.number_of_faces() > 0 && extent.longest_side > 0;
+  CGAL_precondition(has_extent);
+  if(!has_extent)
+    return {};
+
+  auto visitor_or_reference = choose_parameter(get_parameter(np1, internal_np::visitor), Tolerance_default_visitor());
+  auto& visitor = unwrap_reference(visitor_or_reference);
+  const Kept_elements kept = find_kept_elements(input, np1);
+  const Tolerated_error kind = choose_parameter(get_parameter(np1, internal_np::tolerated_error), MAXIMUM_ERROR);
+  const Flat_triangle_surface<TriangleMesh> input_surface = make_input_surface<ConcurrencyTag>(input, np1, np2);
+  const auto find = [&](const auto& surface) {
+    const Tolerance_setting<TriangleMesh, std::decay_t<decltype(surface)>> setting{ input,   input_surface, arrays, kept,
+                                                                                    surface, tolerance,     kind };
+    return find_coarsest_remesh<ConcurrencyTag>(setting, extent, limits, remesh, np1, visitor, result);
+  };
+  if constexpr(is_default_parameter<NamedParameters1, internal_np::reference_surface_t>::value)
+    return find(input_surface);
+  else
+  {
+    auto surface_or_reference = get_parameter(np1, internal_np::reference_surface);
+    return find(unwrap_reference(surface_or_reference));
+  }
+}
+
+/*!
+ * \ingroup PkgVertexLocationOptimizationRef
+ *
+ * \brief finds the coarsest remesh by `isotropic_remeshing()` whose error is within a tolerance.
+ *
+ * It is the function that takes a remesher, with `isotropic_remeshing()` in 10 iterations with 3 relaxation steps each, which
+ * keeps the constrained edges of `input` and the corners of these and of the border.
+ */
+template <typename ConcurrencyTag = Sequential_tag,
+          typename TriangleMesh,
+          typename NamedParameters1 = parameters::Default_named_parameters,
+          typename NamedParameters2 = parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          ,
+          std::enable_if_t<internal::Is_named_parameters<NamedParameters1>::value, int> = 0
+#endif
+          >
+Tolerance_report remesh_within_tolerance(const TriangleMesh& input,
+                                         double tolerance,
+                                         TriangleMesh& result,
+                                         const NamedParameters1& np1 = parameters::default_values(),
+                                         const NamedParameters2& np2 = parameters::default_values())
+{
+  const auto remesh = [](TriangleMesh& mesh, double edge_length, const auto& is_constrained, const auto& is_corner) {
+    isotropic_remeshing(faces(mesh), edge_length, mesh,
+                        parameters::edge_is_constrained_map(is_constrained)
+                          .vertex_is_constrained_map(is_corner)
+                          .number_of_iterations(10)
+                          .number_of_relaxation_steps(3));
+  };
+  return remesh_within_tolerance<ConcurrencyTag>(input, tolerance, result, remesh, np1, np2);
+}
+
+} // namespace Polygon_mesh_processing
+} // namespace CGAL
+
+#endif // CGAL_POLYGON_MESH_PROCESSING_REMESH_WITHIN_TOLERANCE_H

@@ -50,8 +50,9 @@ namespace Polygon_mesh_processing {
  * these triangles; springs act along the edges of the faces. The section \ref secVLOPolygons says more.
  *
  * The computations are done in double precision, whatever the kernel of the points; with an exact one the points of the
- * vertices that move are converted. The result does not depend on the number of threads. The points are written at the
- * end: if the visitor, a functor or a property map throws an exception before, `pmesh` is as it was.
+ * vertices that move are converted. The result does not depend on the number of threads.
+ *
+ * If the visitor, a functor or a property map throws an exception, `pmesh` is as it was.
  *
  * An iteration takes \cgalBigO{n \log m} time for \f$ n \f$ vertices and a reference of \f$ m \f$ faces.
  *

@@ -1,0 +1,234 @@
+// Copyright (c) 2026 The Vertex_location_optimization authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What the report says of the errors is what brute force measures, on remeshes, on simplified meshes, and on results that are
+// optimized again; neither direction gets worse; the volume is preserved if that is asked for; and a call that throws leaves
+// the mesh as it was.
+
+#include "check.h"
+#include "Distance_to_mesh.h"
+#include "mesh_quality.h"
+#include "remeshes.h"
+#include "test_meshes.h"
+
+#include <CGAL/Polygon_mesh_processing/Flat_triangle_surface.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polygon_mesh_processing/optimize_vertex_locations.h>
+#include <CGAL/Polygon_mesh_processing/PN_triangle_surface.h>
+#include <CGAL/Surface_mesh_simplification/edge_collapse.h>
+#if CGAL_VERSION_NR >= 1060000000
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Edge_count_stop_predicate.h>
+#else
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_stop_predicate.h>
+#endif
+
+#include <cmath>
+#include <functional>
+#include <stdexcept>
+#include <string>
+
+namespace PMP = CGAL::Polygon_mesh_processing;
+namespace SMS = CGAL::Surface_mesh_simplification;
+namespace params = CGAL::parameters;
+
+using Vertex = Mesh::Vertex_index;
+using Flat_surface = PMP::Flat_triangle_surface<Mesh>;
+
+Mesh simplified(Mesh mesh, std::size_t number_of_edges)
+{
+#if CGAL_VERSION_NR >= 1060000000
+  SMS::edge_collapse(mesh, SMS::Edge_count_stop_predicate<Mesh>(number_of_edges));
+#else
+  SMS::edge_collapse(mesh, SMS::Count_stop_predicate<Mesh>(number_of_edges));
+#endif
+  mesh.collect_garbage();
+  return mesh;
+}
+
+Errors measure(const Mesh& from, const Distance_to_mesh& to, int splits)
+{
+  return measure_errors(from, splits, [&, hint = *from.points().begin()](const Point& p) mutable { return to(p, hint); });
+}
+
+void check_report(const Mesh& remesh, const Mesh& reference)
+{
+  constexpr int splits = 16, splits_of_reference = 4; // 256 points a face, and 16
+  constexpr double of_mean = 0.005, of_maximum = 0.01;
+  const Distance_to_mesh to_reference(reference);
+  const Errors before = measure(remesh, to_reference, splits),
+               back_before = measure(reference, Distance_to_mesh(remesh), splits_of_reference);
+  for(PMP::Placement_method method : { PMP::PIECEWISE_LINEAR, PMP::LEAST_SQUARES })
+  {
+    Mesh mesh = remesh;
+    const auto report = PMP::optimize_vertex_locations(mesh, Flat_surface(reference),
+                                                       params::guarantee_both_directions(true).placement_method(method));
+    const Errors after = measure(mesh, to_reference, splits);
+    CHECK_NEAR(report.initial_error.mean, before.mean, of_mean * before.mean);
+    CHECK_NEAR(report.final_error.mean, after.mean, of_mean * after.mean);
+    CHECK_AT_LEAST(report.initial_error.max, (1 - of_maximum) * before.max);
+    CHECK_AT_LEAST(report.final_error.max, (1 - of_maximum) * after.max);
+    CHECK_AT_MOST(after.mean, before.mean);
+    CHECK_AT_MOST(after.max, (1 + of_maximum) * before.max);
+
+    const Errors back_after = measure(reference, Distance_to_mesh(mesh), splits_of_reference);
+    CHECK_NEAR(report.initial_error_from_reference.mean, back_before.mean, 0.05 * back_before.mean);
+    CHECK_AT_MOST(back_after.mean, 1.005 * back_before.mean);
+    CHECK_AT_MOST(report.final_error_from_reference.mean, report.initial_error_from_reference.mean);
+
+    std::size_t moved = 0;
+    for(Vertex v : mesh.vertices())
+      moved += mesh.point(v) != remesh.point(v);
+    CHECK_EQUAL(report.moved_vertices, moved);
+    CHECK_AT_MOST(report.corrected_for_error, report.corrected_vertices);
+    const double before_volume = PMP::volume(remesh), after_volume = PMP::volume(mesh);
+    CHECK_NEAR(report.volume_change, after_volume / before_volume - 1, 1e-9);
+  }
+}
+
+void test_reports()
+{
+  const Mesh elephant = read_model("elephant");
+  start_topic("A remesh, and its result put in again");
+  Mesh remesh = make_remesh(elephant, 0.05);
+  check_report(remesh, elephant);
+  PMP::optimize_vertex_locations(remesh, Flat_surface(elephant), params::placement_method(PMP::LEAST_SQUARES));
+  check_report(remesh, elephant);
+  start_topic("A simplified mesh");
+  check_report(simplified(elephant, 2400), elephant);
+}
+
+// A height field that edge collapses have made coarse: its large faces span bumps of the reference.
+void test_height_field()
+{
+  start_topic("A height field");
+  const Mesh field = make_mesh(transformed(triangle_grid(40, 40), [](const Point& p) {
+    return Point(p.x(), p.y(),
+                 0.7 * std::sin(1.1 * p.x()) * std::cos(0.8 * p.y()) + 0.3 * std::sin(2.3 * p.x() + 1.7 * p.y()));
+  }));
+  const Mesh coarse = simplified(field, 240);
+  const Distance_to_mesh to_field(field);
+  const Errors before = measure(coarse, to_field, 24);
+  for(PMP::Placement_method method : { PMP::PIECEWISE_LINEAR, PMP::LEAST_SQUARES })
+  {
+    Mesh mesh = coarse;
+    PMP::optimize_vertex_locations(mesh, Flat_surface(field), params::placement_method(method));
+    const Errors after = measure(mesh, to_field, 24);
+    CHECK_AT_MOST(after.mean, before.mean);
+    CHECK_AT_MOST(after.max, 1.01 * before.max);
+  }
+}
+
+void test_volume()
+{
+  start_topic("The volume of the reference");
+  const Mesh sphere = make_mesh(icosphere(4)), elephant = read_model("elephant");
+  const auto relative_volume = [](const Mesh& mesh, double volume) { return PMP::volume(mesh) / volume - 1; };
+  for(PMP::Placement_method method : { PMP::PIECEWISE_LINEAR, PMP::LEAST_SQUARES })
+  {
+    const auto np = params::preserve_volume(true).placement_method(method);
+    Mesh mesh = make_remesh(elephant, 0.05);
+    CHECK(PMP::optimize_vertex_locations(mesh, Flat_surface(elephant), np).is_volume_preserved);
+    CHECK_NEAR(relative_volume(mesh, PMP::volume(elephant)), 0, 1e-9);
+
+    // that of PN triangles is nearly that of the ball
+    Mesh coarse = make_mesh(icosphere(2));
+    CHECK(PMP::optimize_vertex_locations(coarse, PMP::PN_triangle_surface<Mesh>(sphere), np).is_volume_preserved);
+    CHECK_NEAR(relative_volume(coarse, 4 * CGAL_PI / 3), 0, 1e-4);
+
+    Mesh open = make_mesh(triangle_grid(4, 4));
+    const auto report = PMP::optimize_vertex_locations(open, Flat_surface(sphere), np);
+    CHECK(!report.is_volume_preserved);
+    CHECK_EQUAL(report.volume_change, 0);
+  }
+}
+
+struct Fault : std::runtime_error
+{
+  Fault() : std::runtime_error("a fault") {}
+};
+
+struct Throwing_visitor : PMP::Vertex_location_optimization_default_visitor
+{
+  void start_phase(PMP::Vertex_location_optimization_phase p)
+  {
+    if(p == phase && ++calls == 2 - (p == PMP::Vertex_location_optimization_phase::ENFORCE_GUARANTEE))
+      throw Fault();
+  }
+
+  PMP::Vertex_location_optimization_phase phase;
+  int calls = 0;
+};
+
+// the points of a mesh; the nth put() throws
+struct Throwing_map
+{
+  using key_type = Vertex;
+  using value_type = Point;
+  using reference = Point;
+  using category = boost::read_write_property_map_tag;
+
+  friend Point get(const Throwing_map& map, Vertex v) { return map.mesh.get().point(v); }
+  friend void put(const Throwing_map& map, Vertex v, const Point& p)
+  {
+    if(--map.calls.get() == 0)
+      throw Fault();
+    map.mesh.get().point(v) = p;
+  }
+
+  std::reference_wrapper<Mesh> mesh;
+  std::reference_wrapper<int> calls;
+};
+
+template <typename NamedParameters>
+void check_fault(const Mesh& remesh, const Mesh& reference, Mesh& mesh, const NamedParameters& np)
+{
+  bool is_caught = false;
+  try
+  {
+    PMP::optimize_vertex_locations(mesh, Flat_surface(reference), np);
+  }
+  catch(const Fault&)
+  {
+    is_caught = true;
+  }
+  CHECK(is_caught);
+  for(Vertex v : mesh.vertices())
+    CHECK_EQUAL(mesh.point(v), remesh.point(v));
+}
+
+void test_exceptions()
+{
+  start_topic("Exceptions");
+  using Phase = PMP::Vertex_location_optimization_phase;
+  const Mesh reference = make_mesh(icosphere(3)), remesh = make_mesh(icosphere(1));
+  for(Phase phase : { Phase::SAMPLE_REFERENCE, Phase::PLACE_VERTICES, Phase::RELAX_VERTICES, Phase::CORRECT_FLIPS,
+                      Phase::ENFORCE_GUARANTEE })
+  {
+    Mesh mesh = remesh;
+    Throwing_visitor visitor;
+    visitor.phase = phase;
+    check_fault(remesh, reference, mesh, params::visitor(std::ref(visitor)));
+  }
+  {
+    Mesh mesh = remesh;
+    const auto refuse = [](Vertex, const Point&, const Point&) -> bool { throw Fault(); };
+    check_fault(remesh, reference, mesh, params::allow_move_functor(refuse));
+  }
+  {
+    Mesh mesh = remesh;
+    int calls = 20;
+    const Throwing_map map{ std::ref(mesh), std::ref(calls) };
+    check_fault(remesh, reference, mesh, params::vertex_point_map(map));
+  }
+}
+
+int main()
+{
+  test_reports();
+  test_height_field();
+  test_volume();
+  test_exceptions();
+  return test_result();
+}

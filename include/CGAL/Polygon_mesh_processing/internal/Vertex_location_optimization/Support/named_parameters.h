@@ -14,9 +14,14 @@
 #define CGAL_VERTEX_LOCATION_for_each_named_parameter(F)                                                                    \
   F(number_of_free_iterations)                                                                                              \
   F(convergence_threshold)                                                                                                  \
-  F(placement_method) F(regularity_weight) F(guarantee_both_directions) F(preserve_volume) F(face_error_map)                \
-    F(vertex_error_map) F(clamp_to_samples) F(tolerated_error) F(edge_length_precision) F(maximum_number_of_remeshings)     \
-      F(reference_surface) F(gradation)
+  F(placement_method)                                                                                                       \
+  F(regularity_weight)                                                                                                      \
+  F(guarantee_both_directions)                                                                                              \
+  F(preserve_volume)                                                                                                        \
+  F(face_error_map)                                                                                                         \
+  F(vertex_error_map)                                                                                                       \
+  F(clamp_to_samples)                                                                                                       \
+  F(tolerated_error) F(edge_length_precision) F(maximum_number_of_remeshings) F(reference_surface) F(gradation)
 
 namespace CGAL {
 namespace internal_np {

@@ -7,13 +7,13 @@
 
 #include "mesh_attributes.h"
 #include "mesh_output.h"
+#include "optimize_remesh_report.h"
 #include "optimize_remesh_settings.h"
 #include "Progress_bar.h"
 #include "Table_of_attempts.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/approximation_error.h>
-#include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Polygon_mesh_processing/Flat_triangle_surface.h>
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
@@ -22,8 +22,10 @@
 #include <CGAL/Polygon_mesh_processing/remesh.h>
 #include <CGAL/Polygon_mesh_processing/remesh_within_tolerance.h>
 #include <CGAL/Real_timer.h>
-#include <CGAL/subdivision_method_3.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_simplification/edge_collapse.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Constrained_placement.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk_placement.h>
 
 #include <algorithm>
 #include <cmath>
@@ -61,82 +63,40 @@ Mesh read_mesh(const std::string& name, const bool may_have_polygons)
   return mesh;
 }
 
-double longest_side(const Mesh& mesh)
+// how far a mesh and the input are from each other
+struct Distances
 {
-  const CGAL::Bbox_3 box = PMP::bbox(mesh);
-  return (std::max)({ box.x_span(), box.y_span(), box.z_span() });
-}
-
-// how regular the faces are: smallest angles in degrees
-struct Regularity
-{
-  double mean = 0;
-  double min = 180;
-};
-
-Regularity measure_regularity(const Mesh& mesh)
-{
-  Regularity regularity;
-  for(Mesh::Face_index f : mesh.faces())
-  {
-    double smallest = 180;
-    for(Mesh::Halfedge_index h : halfedges_around_face(mesh.halfedge(f), mesh))
-      smallest = (std::min)(smallest, CGAL::approximate_angle(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
-                                                              mesh.point(mesh.target(mesh.next(h)))));
-    regularity.mean += smallest / mesh.number_of_faces();
-    regularity.min = (std::min)(regularity.min, smallest);
-  }
-  return regularity;
-}
-
-// The input with four faces in the place of one, on the surface that it stands for.
-template <typename Surface>
-Mesh refine(const Mesh& mesh, const Surface& reference)
-{
-  Mesh refined = mesh;
-  CGAL::Subdivision_method_3::PTQ(refined, CGAL::Linear_mask_3<Mesh>(&refined, refined.points()));
-  for(Mesh::Vertex_index v : refined.vertices())
-    refined.point(v) = mesh.has_valid_index(v) ? mesh.point(v) : reference.point(reference.project(refined.point(v)));
-  return refined;
-}
-
-// what the table says of a mesh
-struct Measures
-{
-  PMP::Approximation_error error;
+  PMP::Approximation_error there;
   PMP::Approximation_error back; // from the input, refined, to the mesh
-  Regularity regularity;
 };
 
 template <typename Concurrency, typename Surface>
-Measures measure(const Mesh& mesh, const Mesh& refined_input, const Surface& reference, Error_map errors)
+Distances measure(const Mesh& mesh, const Mesh& refined_input, const Surface& reference)
 {
-  return { PMP::approximation_error<Concurrency>(mesh, reference, CGAL::parameters::vertex_error_map(errors)),
-           PMP::approximation_error<Concurrency>(refined_input, PMP::Flat_triangle_surface<Mesh>(mesh)),
-           measure_regularity(mesh) };
+  return { PMP::approximation_error<Concurrency>(mesh, reference),
+           PMP::approximation_error<Concurrency>(refined_input, PMP::Flat_triangle_surface<Mesh>(mesh)) };
 }
 
-void print_table(const Measures& before, const Measures& after, double side)
+template <typename Concurrency, typename Surface>
+void print_measured(const Mesh& before, const Mesh& after, const Mesh& input, const Surface& reference, double side)
 {
-  auto print_row = [&](const char* name, double a, double b, bool is_error) {
-    const double unit = is_error ? side * 1e-4 : 1;
-    std::printf("  %-32s %10.3f %10.3f", name, a / unit, b / unit);
-    constexpr double nothing = 1e-9; // relative to the longest side: rounding
-    if(is_error && a > nothing * side)
-      std::printf(" %+9.1f%%", 100 * (b - a) / a);
-    else if(is_error)
-      std::printf(" %10s", "-");
-    std::printf("\n");
-  };
-  std::printf("\n  %-32s %10s %10s\n", "", "before", "after");
-  print_row("mean error", before.error.mean, after.error.mean, true);
-  print_row("root mean square", before.error.rms, after.error.rms, true);
-  print_row("maximum", before.error.max, after.error.max, true);
-  print_row("mean from the input", before.back.mean, after.back.mean, true);
-  print_row("maximum from the input", before.back.max, after.back.max, true);
-  print_row("mean smallest angle (degrees)", before.regularity.mean, after.regularity.mean, false);
-  print_row("smallest angle (degrees)", before.regularity.min, after.regularity.min, false);
-  std::printf("  Errors in 1/10000 of the longest side of the bounding box.\n\n");
+  const Mesh refined_input = refine(input, reference);
+  const Distances a = measure<Concurrency>(before, refined_input, reference);
+  const Distances b = measure<Concurrency>(after, refined_input, reference);
+  print_heading("measured densely");
+  print_errors(a.there, b.there, "", side);
+  print_errors(a.back, b.back, " from the input", side);
+}
+
+// The errors at the vertices, for the colors.
+template <typename Concurrency, typename Surface>
+Error_map measure_vertex_errors(Mesh& mesh, const Surface& reference)
+{
+  constexpr std::size_t points_per_face = 9; // few: no eye sees more
+  const Error_map errors = mesh.add_property_map<Mesh::Vertex_index, double>("v:error").first;
+  PMP::approximation_error<Concurrency>(
+    mesh, reference, CGAL::parameters::vertex_error_map(errors).number_of_points_per_face(points_per_face));
+  return errors;
 }
 
 // the sharp edges, and the seams of the texture
@@ -153,60 +113,62 @@ Crease_map mark_creases(Mesh& mesh, double angle)
   return is_crease;
 }
 
-void print_reference(const PMP::Reference_surface_summary& reference, double side)
+template <typename Concurrency, typename Surface>
+PMP::Vertex_location_optimization_report
+optimize(const Settings& s, Mesh& mesh, Crease_map is_crease, const Surface& reference)
 {
-  if(reference.kind == PMP::Reference_surface_kind::FLAT)
-    std::printf("reference: the faces of the input\n");
-  else
-    std::printf("reference: PN triangles, off the faces of the input by %.3g in the mean, by %.3g at most "
-                "(1e-4 of the longest side)\n",
-                reference.mean_deviation / side * 1e4, reference.maximum_deviation / side * 1e4);
+  Progress_bar progress(s.iterations);
+  return PMP::optimize_vertex_locations<Concurrency>(
+    mesh, reference,
+    CGAL::parameters::number_of_free_iterations(s.free_iterations)
+      .placement_method(s.is_least_squares ? PMP::LEAST_SQUARES : PMP::PIECEWISE_LINEAR)
+      .regularity_weight(s.regularity_weight)
+      .guarantee_both_directions(s.guarantee_both_directions)
+      .preserve_volume(s.preserve_volume)
+      .number_of_iterations(s.iterations)
+      .number_of_relaxation_steps(s.relaxation_steps)
+      .edge_is_constrained_map(is_crease)
+      .relax_constraints(s.relax_constraints)
+      .do_self_intersection_tests(s.test_self_intersections || s.is_least_squares)
+      .visitor(std::ref(progress)));
+}
+
+// Writes a mesh, and twice its errors.
+template <typename Concurrency, typename Surface>
+void write_with_errors(
+  const Settings& s, const std::string& name, Mesh& mesh, const Surface& reference, double largest_color)
+{
+  const Error_map errors = measure_vertex_errors<Concurrency>(mesh, reference);
+  write_mesh_with_attributes(s.output + name + "." + s.format, mesh);
+  write_colored_PLY(s.output + name + "_error.ply", mesh, errors, largest_color);
+  write_VTP(s.output + name + "_error.vtp", mesh, "error", errors);
 }
 
 template <typename Concurrency, typename Surface>
-void optimize(const Settings& s, const Mesh& input, Mesh& mesh, Crease_map is_crease, const Surface& reference)
+void optimize_and_write(const Settings& s, const Mesh& input, Mesh& mesh, Crease_map is_crease, const Surface& reference)
 {
   const double side = longest_side(input);
-  const Mesh refined_input = refine(input, reference);
   Mesh remesh = mesh;
-  Error_map errors_before = remesh.add_property_map<Mesh::Vertex_index, double>("v:error").first;
-  Error_map errors = mesh.add_property_map<Mesh::Vertex_index, double>("v:error").first;
-  const Measures before = measure<Concurrency>(remesh, refined_input, reference, errors_before);
-
   CGAL::Real_timer timer;
   timer.start();
-  PMP::Vertex_location_optimization_report report;
-  {
-    Progress_bar progress(s.iterations);
-    report = PMP::optimize_vertex_locations<Concurrency>(
-      mesh, reference,
-      CGAL::parameters::number_of_free_iterations(s.free_iterations)
-        .placement_method(s.is_least_squares ? PMP::LEAST_SQUARES : PMP::PIECEWISE_LINEAR)
-        .regularity_weight(s.regularity_weight)
-        .number_of_iterations(s.iterations)
-        .number_of_relaxation_steps(s.relaxation_steps)
-        .edge_is_constrained_map(is_crease)
-        .relax_constraints(s.relax_constraints)
-        .do_self_intersection_tests(s.test_self_intersections || s.is_least_squares)
-        .visitor(std::ref(progress)));
-  }
+  const PMP::Vertex_location_optimization_report report = optimize<Concurrency>(s, mesh, is_crease, reference);
   std::printf("optimized: %zu iterations, %.2f s\n", report.iterations, timer.time());
   print_reference(report.reference, side);
+  print_moves(report, mesh.number_of_vertices());
+  if(CGAL::is_closed(mesh))
+    print_volume(report, s.preserve_volume);
+  print_table(report, measure_regularity(remesh), measure_regularity(mesh), s.guarantee_both_directions, side);
+  if(s.is_measured)
+    print_measured<Concurrency>(remesh, mesh, input, reference, side);
 
-  const Measures after = measure<Concurrency>(mesh, refined_input, reference, errors);
-  print_table(before, after, side);
-
-  const double largest_color = s.largest_color > 0 ? s.largest_color : 3 * before.error.mean;
+  const double largest_color = s.largest_color > 0 ? s.largest_color : 3 * report.initial_error.mean;
   for(Mesh* m : { &remesh, &mesh })
     transfer_attributes<Concurrency>(input, reference, *m, is_crease);
-  write_mesh_with_attributes(s.output + "remesh." + s.format, remesh);
-  write_mesh_with_attributes(s.output + "optimized." + s.format, mesh);
-  write_colored_PLY(s.output + "remesh_error.ply", remesh, errors_before, largest_color);
-  write_colored_PLY(s.output + "optimized_error.ply", mesh, errors, largest_color);
-  write_VTP(s.output + "remesh_error.vtp", remesh, "error", errors_before);
-  write_VTP(s.output + "optimized_error.vtp", mesh, "error", errors);
-  std::printf("written: %sremesh*, %soptimized*\ncolors from 0 (violet) to %.3g (yellow), %.3g/10000 of the longest side\n",
-              s.output.c_str(), s.output.c_str(), largest_color, largest_color / side * 1e4);
+  write_with_errors<Concurrency>(s, "remesh", remesh, reference, largest_color);
+  write_with_errors<Concurrency>(s, "optimized", mesh, reference, largest_color);
+  std::printf(
+    "\nwritten: %sremesh*, %soptimized*\ncolors from 0 (violet) to %.3g (yellow), %.3g/10000 of the longest side\n",
+    s.output.c_str(), s.output.c_str(), largest_color, largest_color / side * 1e4);
 }
 
 // Finds the coarsest remesh within the tolerance, and writes it. Returns whether there is one.
@@ -230,6 +192,8 @@ bool remesh_within_tolerance(const Settings& s, const Mesh& input, Crease_map is
                                               CGAL::parameters::tolerated_error(s.tolerated_error)
                                                 .reference_surface(std::cref(reference))
                                                 .regularity_weight(s.regularity_weight)
+                                                .guarantee_both_directions(s.guarantee_both_directions)
+                                                .preserve_volume(s.preserve_volume)
                                                 .number_of_iterations(s.iterations)
                                                 .edge_is_constrained_map(is_crease)
                                                 .visitor(std::ref(table)));
@@ -242,13 +206,9 @@ bool remesh_within_tolerance(const Settings& s, const Mesh& input, Crease_map is
               report.number_of_vertices, report.edge_length, report.number_of_remeshings, timer.time());
 
   mesh.collect_garbage();
-  Error_map errors = mesh.add_property_map<Mesh::Vertex_index, double>("v:error").first;
-  PMP::approximation_error<Concurrency>(mesh, reference, CGAL::parameters::vertex_error_map(errors));
   const double largest_color = s.largest_color > 0 ? s.largest_color : 3 * report.to_reference.mean;
   transfer_attributes<Concurrency>(input, reference, mesh, CGAL::Static_boolean_property_map<Mesh::Edge_index, false>());
-  write_mesh_with_attributes(s.output + "optimized." + s.format, mesh);
-  write_colored_PLY(s.output + "optimized_error.ply", mesh, errors, largest_color);
-  write_VTP(s.output + "optimized_error.vtp", mesh, "error", errors);
+  write_with_errors<Concurrency>(s, "optimized", mesh, reference, largest_color);
   std::printf("written: %soptimized*\n", s.output.c_str());
   return report.is_within_tolerance;
 }
@@ -268,6 +228,25 @@ bool remesh_within_tolerance(const Settings& s, Mesh& input)
   return remesh_within_tolerance<Concurrency>(s, input, is_crease, PMP::PN_triangle_surface<Mesh>(input, creases));
 }
 
+// Makes fewer or more regular faces of a mesh.
+void remesh(const Settings& s, Crease_map is_crease, Mesh& mesh)
+{
+  namespace SMS = CGAL::Surface_mesh_simplification;
+  const auto is_simple = [&](const auto&, const auto&, std::size_t, std::size_t) {
+    return mesh.number_of_vertices() <= static_cast<std::size_t>(*s.simplify);
+  };
+  if(s.simplify)
+    SMS::edge_collapse(mesh, is_simple,
+                       CGAL::parameters::edge_is_constrained_map(is_crease).get_placement(
+                         SMS::Constrained_placement<SMS::LindstromTurk_placement<Mesh>, Crease_map>(is_crease)));
+  else
+    PMP::isotropic_remeshing(faces(mesh), s.is_absolute ? s.edge_length : s.edge_length * longest_side(mesh), mesh,
+                             CGAL::parameters::number_of_iterations(s.remeshing_iterations)
+                               .number_of_relaxation_steps(3)
+                               .edge_is_constrained_map(is_crease));
+  mesh.collect_garbage();
+}
+
 // Returns whether the result is as good as was asked for.
 template <typename Concurrency>
 bool run(const Settings& s)
@@ -283,24 +262,19 @@ bool run(const Settings& s)
   CGAL::Real_timer timer;
   timer.start();
   Mesh mesh = s.remesh.empty() ? input : read_mesh(s.remesh, true);
-  Crease_map is_crease = mark_creases(mesh, s.crease_angle);
+  const Crease_map is_crease = mark_creases(mesh, s.crease_angle);
   if(s.remesh.empty())
-  {
-    PMP::isotropic_remeshing(faces(mesh), s.is_absolute ? s.edge_length : s.edge_length * side, mesh,
-                             CGAL::parameters::number_of_iterations(s.remeshing_iterations)
-                               .number_of_relaxation_steps(3)
-                               .edge_is_constrained_map(is_crease));
-    mesh.collect_garbage();
-  }
+    remesh(s, is_crease, mesh);
   if(mesh.number_of_faces() == 0)
     throw std::runtime_error("nothing is left of the mesh: the edge length is too large");
   std::printf("remesh: %u vertices, %.2f s\n", mesh.number_of_vertices(), timer.time());
 
   if(s.reference == "flat")
-    optimize<Concurrency>(s, input, mesh, is_crease, PMP::Flat_triangle_surface<Mesh>(input));
+    optimize_and_write<Concurrency>(s, input, mesh, is_crease, PMP::Flat_triangle_surface<Mesh>(input));
   else
-    optimize<Concurrency>(s, input, mesh, is_crease,
-                          PMP::PN_triangle_surface<Mesh>(input, CGAL::parameters::sharpness_angle(s.sharpness_angle)));
+    optimize_and_write<Concurrency>(
+      s, input, mesh, is_crease,
+      PMP::PN_triangle_surface<Mesh>(input, CGAL::parameters::sharpness_angle(s.sharpness_angle)));
   return true;
 }
 

@@ -17,6 +17,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -33,16 +34,20 @@ struct Settings
   double tolerance = 0; // 0: none, the edge length is given
   bool is_tolerance_relative = false;
   CGAL::Polygon_mesh_processing::Tolerated_error tolerated_error = CGAL::Polygon_mesh_processing::MAXIMUM_ERROR;
+  std::optional<int> simplify; // the number of vertices, instead of remeshing
   unsigned int remeshing_iterations = 10;
   double crease_angle = 180;
   double sharpness_angle = 40;
   std::size_t iterations = 30;
   std::size_t free_iterations = 20;
-  std::size_t relaxation_steps = 1;
+  std::optional<std::size_t> relaxation_steps; // none: it follows the mesh, and so does the weight
   bool is_least_squares = false;
-  double regularity_weight = 0.15; // of least squares
+  std::optional<double> regularity_weight; // of least squares
+  bool guarantee_both_directions = false;
+  bool preserve_volume = false;
   bool relax_constraints = false;
   bool test_self_intersections = false;
+  bool is_measured = false; // densely, in both directions
   bool is_sequential = false;
   double largest_color = 0; // 0: three times the mean error of the remesh
 };
@@ -75,6 +80,8 @@ inline boost::program_options::options_description describe_options(Settings& s)
     ("tolerated-error", po::value<std::string>()->default_value("max"), "what --tolerance is for: max, mean or rms")
     ("remesh,r", po::value(&s.remesh),
      "take this remesh, with faces of any number of corners, instead of remeshing the input")
+    ("simplify", po::value<int>()->notifier([&s](int n) { s.simplify = n; }),
+     "instead of remeshing the input, simplify it by edge_collapse() to about so many vertices")
     ("remeshing-iterations", po::value(&s.remeshing_iterations)->default_value(s.remeshing_iterations),
      "iterations of isotropic_remeshing()")
     ("crease-angle,c", po::value(&s.crease_angle)->default_value(s.crease_angle, "180"),
@@ -87,14 +94,19 @@ inline boost::program_options::options_description describe_options(Settings& s)
     ("iterations,n", po::value(&s.iterations)->default_value(s.iterations), "iterations of the optimization at most")
     ("free-iterations", po::value(&s.free_iterations)->default_value(s.free_iterations),
      "so many of them are not restricted to the normals")
-    ("relaxation-steps", po::value(&s.relaxation_steps)->default_value(s.relaxation_steps),
-     "steps of the springs in each free iteration")
+    ("relaxation-steps", po::value<std::size_t>()->notifier([&s](std::size_t n) { s.relaxation_steps = n; }),
+     "steps of the springs in each free iteration; default: follows the mesh")
     ("least-squares", po::bool_switch(&s.is_least_squares),
      "place the vertices by least squares over both surfaces instead of the piecewise linear method")
-    ("regularity-weight", po::value(&s.regularity_weight)->default_value(s.regularity_weight, "0.15"),
-     "what the shape of the triangles counts in least squares")
+    ("regularity-weight", po::value<double>()->notifier([&s](double weight) { s.regularity_weight = weight; }),
+     "what the shape of the triangles counts in least squares; default: follows the mesh")
+    ("both-directions", po::bool_switch(&s.guarantee_both_directions),
+     "let the distance from the input to the mesh not become larger either")
+    ("preserve-volume", po::bool_switch(&s.preserve_volume), "give a closed mesh the volume of the input")
     ("test-self-intersections", po::bool_switch(&s.test_self_intersections),
      "cause no new self-intersection; least squares never does")
+    ("measure", po::bool_switch(&s.is_measured),
+     "measure the errors before and after densely, in both directions, beside those that the optimization knows of itself")
     ("sequential", po::bool_switch(&s.is_sequential), "use one thread")
     ("output,o", po::value(&s.output)->default_value(s.output), "what the names of the written files begin with")
     ("format", po::value(&s.format), "format of the meshes: off, obj, ply, stl; default: that of the input")
@@ -114,8 +126,9 @@ inline void check_settings(const Settings& s)
   require(!s.input.empty(), "which mesh? See --help");
   require(s.edge_length > 0 && std::isfinite(s.edge_length), "--edge-length must be positive");
   require(s.is_absolute || s.edge_length <= 1, "--edge-length is relative and must not exceed 1; see --absolute");
+  require(s.simplify.value_or(1) > 0, "--simplify must be positive");
   require(s.crease_angle >= 0 && s.sharpness_angle >= 0, "angles must not be negative");
-  require(s.regularity_weight >= 0, "--regularity-weight must not be negative");
+  require(s.regularity_weight.value_or(0) >= 0, "--regularity-weight must not be negative");
   require(s.largest_color >= 0, "--largest-color must not be negative");
   require(s.reference == "pn" || s.reference == "flat", "--reference must be pn or flat");
   require(s.format == "off" || s.format == "obj" || s.format == "ply" || s.format == "stl",
@@ -166,6 +179,13 @@ inline void read_tolerance_options(const boost::program_options::variables_map& 
     s.reference = "flat";
 }
 
+// Throws where two options say differently how the mesh is made.
+inline void check_remesher(const boost::program_options::variables_map& values)
+{
+  if(values.count("simplify") && (values.count("remesh") || values.count("tolerance") || !values["edge-length"].defaulted()))
+    throw std::runtime_error("--simplify goes with neither --edge-length nor --remesh nor --tolerance");
+}
+
 // Reads the command line. Returns false if it asks for help, which is given.
 inline bool read_settings(int argc, char* argv[], Settings& s)
 {
@@ -195,6 +215,7 @@ inline bool read_settings(int argc, char* argv[], Settings& s)
   if(s.format.empty())
     s.format = format_of(s.input);
   check_settings(s);
+  check_remesher(values);
   read_tolerance_options(values, s);
   return true;
 }

@@ -53,6 +53,10 @@ check_refused triangle.off --edge-length 5
 check_refused triangle.off --reference round
 check_refused triangle.off --format xyz
 check_refused triangle.off --regularity-weight -1
+check_refused triangle.off --simplify 0
+check_refused triangle.off --simplify -5
+check_refused triangle.off --simplify 3 --edge-length 0.1
+check_refused triangle.off --simplify 3 --tolerance 1%
 check_refused triangle.off --no-such-option
 for tolerance in 0 -1 nan inf much 1mm % '' 1e999; do
   check_refused triangle.off "--tolerance=$tolerance"
@@ -76,6 +80,20 @@ done
 grep -q '^4 ' quads_optimized.off || fail "no quads"
 "$program" triangle.off --edge-length 0.3 --least-squares --regularity-weight 0.2 -o least_squares_ > stdout 2> stderr ||
   fail "least squares"
+
+grep -q 'measured densely' stdout && fail "it measures without being asked"
+"$program" least_squares_remesh.off --simplify 6 --measure --relaxation-steps 2 -o simple_ > stdout 2> stderr ||
+  fail "simplification"
+[ "$(sed -n 2p simple_remesh.off | cut -d ' ' -f 1)" = 6 ] || fail "not simplified to 6 vertices"
+grep -q '^  measured densely' stdout && grep -q '^  maximum from the input ' stdout || fail "nothing is measured"
+grep -q '^vertices moved: ' stdout || fail "it does not say how many vertices moved"
+
+printf 'OFF\n6 8 0\n1 0 0\n-1 0 0\n0 1 0\n0 -1 0\n0 0 1\n0 0 -1\n3 0 2 4\n3 2 1 4\n3 1 3 4\n3 3 0 4\n' > octahedron.off
+printf '3 2 0 5\n3 1 2 5\n3 3 1 5\n3 0 3 5\n' >> octahedron.off
+"$program" octahedron.off --edge-length 0.2 --sharpness-angle 180 --least-squares --both-directions --preserve-volume \
+  -o closed_ > stdout 2> stderr || fail "both directions and the volume"
+grep -q '^volume: ' stdout || fail "it does not say what became of the volume"
+awk '/^  mean error from the input / && $7 <= $6 { found = 1 } END { exit !found }' stdout || fail "the error from the input"
 
 # a tolerance: a square keeps its corners
 printf 'OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n' > square.off

@@ -18,6 +18,7 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -29,6 +30,7 @@ void test_defaults(const Input& input)
   CHECK(is_default(parameters::number_of_iterations(30)));
   CHECK(is_default(parameters::number_of_free_iterations(20)));
   CHECK(is_default(parameters::convergence_threshold(1e-6)));
+  CHECK(is_default(parameters::number_of_relaxation_steps(std::optional<std::size_t>())));
   CHECK(is_default(parameters::geom_traits(Kernel()))); // not documented, but CGAL's functions take it, and users give it
   CHECK(is_default(parameters::placement_method(PMP::PIECEWISE_LINEAR)));
   CHECK(is_default(parameters::relax_constraints(false)));
@@ -45,6 +47,8 @@ void test_defaults(const Input& input)
   CHECK(optimized(regular, input.reference, parameters::default_values()) ==
         optimized(regular, input.reference, parameters::number_of_relaxation_steps(1)));
   const auto least_squares = parameters::placement_method(PMP::LEAST_SQUARES);
+  CHECK(optimized(input.mesh, input.reference, least_squares) ==
+        optimized(input.mesh, input.reference, least_squares.regularity_weight(std::optional<double>())));
   CHECK(optimized(regular, input.reference, least_squares) ==
         optimized(regular, input.reference,
                   least_squares.regularity_weight(0.135).convergence_threshold(3e-4).do_self_intersection_tests(true)));

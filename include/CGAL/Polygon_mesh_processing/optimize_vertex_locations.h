@@ -115,7 +115,8 @@ namespace Polygon_mesh_processing {
  *                           of it gives less error and less regular triangles. It counts in full where the present error
  *                           is large; where it is below 1.8% of the length of the edges around, the weight falls in
  *                           proportion to it: the smaller the error, the less of it is given for regularity.}
- *     \cgalParamType{a number type convertible to `double`}
+ *     \cgalParamType{a number type convertible to `double`, or `std::optional<double>`, of which an empty one is the
+ *                    default}
  *     \cgalParamDefault{`0.135` where `pmesh` comes with regular faces, whose smallest angles are 50 degrees on an
  *                       average; the less, down to a quarter, the smaller these angles are, as after simplification}
  *     \cgalParamExtra{The springs of `PIECEWISE_LINEAR` have no weight: see `number_of_relaxation_steps`. With
@@ -125,7 +126,7 @@ namespace Polygon_mesh_processing {
  *
  *   \cgalParamNBegin{number_of_relaxation_steps}
  *     \cgalParamDescription{the number of steps of the springs in each free iteration; `0`: no springs}
- *     \cgalParamType{unsigned integer}
+ *     \cgalParamType{unsigned integer, or `std::optional<std::size_t>`, of which an empty one is the default}
  *     \cgalParamDefault{`1`, with springs that are the weaker the smaller the angles of `pmesh` are, and none where their
  *                       mean is below 36 degrees, as after simplification; `0` if a face has more than three corners}
  *   \cgalParamNEnd

@@ -30,6 +30,15 @@ struct Allow_all_moves
   }
 };
 
+// What a parameter is, which can be given as an `std::optional`, too; an empty one is the default.
+inline std::optional<double> to_optional_double(const std::optional<double>& parameter) { return parameter; }
+
+template <typename Number>
+std::optional<double> to_optional_double(const Number& parameter)
+{
+  return to_double(parameter);
+}
+
 // The options among the parameters, else the defaults of the placement method.
 template <typename NamedParameters>
 Optimization_options read_options(const NamedParameters& np)
@@ -49,10 +58,8 @@ Optimization_options read_options(const NamedParameters& np)
     to_double(choose_parameter(get_parameter(np, internal_np::convergence_threshold), options.convergence_threshold));
   options.do_self_intersection_tests =
     choose_parameter(get_parameter(np, internal_np::do_self_intersection_tests), options.do_self_intersection_tests);
-  constexpr double not_given = -1;
-  const double regularity_weight = to_double(choose_parameter(get_parameter(np, internal_np::regularity_weight), not_given));
-  if(regularity_weight != not_given)
-    options.regularity_weight = regularity_weight;
+  options.regularity_weight =
+    to_optional_double(choose_parameter(get_parameter(np, internal_np::regularity_weight), std::optional<double>()));
   options.guarantee_both_directions =
     choose_parameter(get_parameter(np, internal_np::guarantee_both_directions), options.guarantee_both_directions);
   options.preserve_volume = choose_parameter(get_parameter(np, internal_np::preserve_volume), options.preserve_volume);

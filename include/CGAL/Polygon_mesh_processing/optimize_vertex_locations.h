@@ -117,8 +117,8 @@ namespace Polygon_mesh_processing {
  *                           proportion to it: the smaller the error, the less of it is given for regularity.}
  *     \cgalParamType{a number type convertible to `double`, or `std::optional<double>`, of which an empty one is the
  *                    default}
- *     \cgalParamDefault{`0.135` where `pmesh` comes with regular faces, whose smallest angles are 50 degrees on an
- *                       average; the less, down to a quarter, the smaller these angles are, as after simplification}
+ *     \cgalParamDefault{`0.17` where `pmesh` comes with regular faces, whose smallest angles are 50 degrees on an
+ *                       average; the less, down to a fifth, the smaller these angles are, as after simplification}
  *     \cgalParamExtra{The springs of `PIECEWISE_LINEAR` have no weight: see `number_of_relaxation_steps`. With
  *                     `LEAST_SQUARES` only the vertices of constrained edges have springs, and the free iterations are
  *                     theirs alone.}

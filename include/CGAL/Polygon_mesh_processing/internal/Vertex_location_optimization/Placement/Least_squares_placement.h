@@ -198,7 +198,7 @@ private:
   double pull_weight(const std::size_t i, const Vertex_equations& of_vertex, const double mean_residual) const
   {
     // found by trial, on remeshes and on simplified meshes; they trade the angles for the error
-    constexpr double part_of_irregular = 0.25;
+    constexpr double part_of_irregular = 0.2;
     constexpr double small_error = 0.018; // relative to the length of the edges; from there on it counts in full
     const double x = mean_residual / (small_error * m_remesh.lengths[i]);
     const double of_error = x / std::sqrt(std::sqrt(1 + square(square(x))));
@@ -221,7 +221,7 @@ private:
     return reweighting((m_regularity[v[0]] + m_regularity[v[1]] + m_regularity[v[2]]) / 3);
   }
 
-  static constexpr double default_weight = 0.135;
+  static constexpr double default_weight = 0.17;
   const double m_regularity_weight;
   const bool m_keeps_shapes;               // of M_0, where they are irregular: unless the user has chosen the weight
   std::vector<double> m_regularity;        // of M_0

@@ -49,7 +49,8 @@ Mesh simplified(Mesh mesh, std::size_t number_of_edges)
 
 Errors measure(const Mesh& from, const Distance_to_mesh& to, int splits)
 {
-  return measure_errors(from, splits, [&, hint = *from.points().begin()](const Point& p) mutable { return to(p, hint); });
+  Point hint = *from.points().begin();
+  return measure_errors(from, splits, [&](const Point& p) { return to(p, hint); });
 }
 
 void check_report(const Mesh& remesh, const Mesh& reference)

@@ -38,6 +38,7 @@ Initial_quality measure_initial_quality(const Reference& reference,
                                         const Remesh_samples<Reference>& samples,
                                         Initial_measure measure)
 {
+  constexpr bool is_exact = true; // where walking leads astray the distance is too large, and the result could be, too
   const Face_sampling sampling(remesh, remesh.points);
   std::vector<double> maxima(remesh.number_of_faces());
   const auto integral = sum_over_indices<ConcurrencyTag, Error_integral>(remesh.number_of_faces(), [&](std::size_t f) {
@@ -47,8 +48,8 @@ Initial_quality measure_initial_quality(const Reference& reference,
       feet[k] = samples.vertices.hint(remesh.face(f)[k]);
       midpoint_feet[k] = samples.midpoints.hint(remesh.face_edges[f][k]);
     }
-    const Face_distances d =
-      sampling.measure(reference, f, remesh.triangle(f), feet, midpoint_feet, measure.distances.maximum_on_sides(remesh, f));
+    const Face_distances d = sampling.measure(reference, f, remesh.triangle(f), feet, midpoint_feet,
+                                              measure.distances.maximum_on_sides(remesh, f), is_exact);
     maxima[f] = (std::max)(d.max, measure.distances.maximum(remesh, f));
     const double area = remesh.area(f);
     return Error_integral{ area, area * d.mean, area * d.mean_square, maxima[f] };

@@ -53,9 +53,11 @@ Errors measure(const Mesh& from, const Distance_to_mesh& to, int splits)
   return measure_errors(from, splits, [&](const Point& p) { return to(p, hint); });
 }
 
-void check_report(const Mesh& remesh, const Mesh& reference)
+// Each face is measured at splits * splits points. On simplified meshes, whose distance changes its sign, so few as 256 are
+// half a percent too low.
+void check_report(const Mesh& remesh, const Mesh& reference, int splits)
 {
-  constexpr int splits = 16, splits_of_reference = 4; // 256 points a face, and 16
+  constexpr int splits_of_reference = 4;
   constexpr double of_mean = 0.005, of_maximum = 0.01;
   const Distance_to_mesh to_reference(reference);
   const Errors before = measure(remesh, to_reference, splits),
@@ -93,11 +95,11 @@ void test_reports()
   const Mesh elephant = read_model("elephant");
   start_topic("A remesh, and its result put in again");
   Mesh remesh = make_remesh(elephant, 0.05);
-  check_report(remesh, elephant);
+  check_report(remesh, elephant, 16);
   PMP::optimize_vertex_locations(remesh, Flat_surface(elephant), params::placement_method(PMP::LEAST_SQUARES));
-  check_report(remesh, elephant);
+  check_report(remesh, elephant, 16);
   start_topic("A simplified mesh");
-  check_report(simplified(elephant, 2400), elephant);
+  check_report(simplified(elephant, 2400), elephant, 40);
 }
 
 // A height field that edge collapses have made coarse: its large faces span bumps of the reference.

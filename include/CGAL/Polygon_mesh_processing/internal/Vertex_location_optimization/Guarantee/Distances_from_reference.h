@@ -76,7 +76,8 @@ public:
       const Patch_tree<Flat_triangle> tree = make_face_tree(m_remesh, points);
       for_each_index<ConcurrencyTag>(faces.size(), [&](std::size_t i) {
         const Patch_foot foot = tree.project(m_samples.points[i], faces[i]);
-        faces[i] = foot.patch;
+        if(foot.patch < m_remesh.number_of_faces()) // not one of the surroundings
+          faces[i] = foot.patch;
         distances[i] = norm(m_samples.points[i] - tree.point(foot));
       });
     };
@@ -103,8 +104,7 @@ public:
   void for_each_change(const F& f) const
   {
     for(std::size_t i = 0; i < m_distances.size(); ++i)
-      if(m_initial_faces[i] < m_remesh.number_of_faces())
-        f(m_initial_faces[i], m_samples.weights[i] * (m_distances[i] - m_initial_distances[i]));
+      f(m_initial_faces[i], m_samples.weights[i] * (m_distances[i] - m_initial_distances[i]));
   }
 
   // The largest distance, of the samples and of the points to which climbing from the largest of them leads.
@@ -126,27 +126,40 @@ public:
     if(candidates.empty())
       return result;
 
-    const Patch_tree<Flat_triangle> tree = make_face_tree(m_remesh, m_remesh.next_points),
-                                    initial_tree = make_face_tree(m_remesh, m_remesh.initial_points);
-    for(Index i : candidates)
+    // the points that are too far away now, with the faces that are closest, and then those that were not so far at first
+    struct Far_point
     {
-      const auto distance_in = [&, hint = m_samples.faces[i]](const Patch_tree<Flat_triangle>& t, const Point& p) {
-        const Patch_foot foot = t.project(p, hint);
-        return Closest{ foot.patch, norm(p - t.point(foot)) };
-      };
-      const Point p = m_samples.points[i];
-      if(!(distance_in(tree, p).distance > close * limit))
-        continue;
-      const auto height = [&](const auto& foot) { return distance_in(tree, m_reference.point(foot)).distance; };
-      for(const Point& q : { p, m_reference.point(m_reference.climb(m_reference.project(p), height)) })
+      Point point;
+      Closest closest;
+    };
+    std::vector<Far_point> far_points;
+    {
+      const Patch_tree<Flat_triangle> tree = make_face_tree(m_remesh, m_remesh.next_points);
+      for(Index i : candidates)
       {
-        const Closest now = distance_in(tree, q);
-        if(!(now.distance > limit))
+        const auto add = [&](const Point& q) {
+          const Closest now = closest_in(tree, q, m_samples.faces[i]);
+          if(now.distance > limit)
+            far_points.push_back({ q, now });
+        };
+        const Point& p = m_samples.points[i];
+        if(!(closest_in(tree, p, m_samples.faces[i]).distance > close * limit))
           continue;
-        const Closest initial = distance_in(initial_tree, q);
-        if(now.distance > initial.distance)
-          result.push_back({ initial.face, now.face });
+        const auto height = [&](const auto& foot) {
+          return closest_in(tree, m_reference.point(foot), m_samples.faces[i]).distance;
+        };
+        add(p);
+        add(m_reference.point(m_reference.climb(m_reference.project(p), height)));
       }
+    }
+    if(far_points.empty())
+      return result;
+    const Patch_tree<Flat_triangle> initial_tree = make_face_tree(m_remesh, m_remesh.initial_points);
+    for(const Far_point& q : far_points)
+    {
+      const Closest initial = closest_in(initial_tree, q.point, q.closest.face);
+      if(q.closest.distance > initial.distance)
+        result.push_back({ initial.face, q.closest.face });
     }
     return result;
   }
@@ -157,6 +170,12 @@ private:
     Index face;
     double distance;
   };
+
+  static Closest closest_in(const Patch_tree<Flat_triangle>& tree, const Point& query, Index hint)
+  {
+    const Patch_foot foot = tree.project(query, hint);
+    return { foot.patch, norm(query - tree.point(foot)) };
+  }
 
   Closest closest(const Point& query, const std::vector<Point>& points, Index face) const
   {

@@ -201,8 +201,8 @@ private:
     // of the difference of two means; what is gained must be more, or it may be none
     constexpr double accuracy = 0.0075;
     constexpr double rounding = 1e-12; // relative to the lengths of edges; for where there is no distance
-    const double length = *std::max_element(m_remesh.lengths.begin(), m_remesh.lengths.end());
-    return mean <= (1 - accuracy) * initial + rounding * length;
+    const auto longest = std::max_element(m_remesh.lengths.begin(), m_remesh.lengths.end());
+    return longest == m_remesh.lengths.end() || mean <= (1 - accuracy) * initial + rounding * *longest;
   }
 
   // If the mean is not lower than at first: the vertices whose faces have contributed to that.

@@ -243,7 +243,8 @@ Vertex_location_optimization_report optimize_vertex_locations(PolygonMesh& pmesh
  * \brief moves the vertices of a part of a remesh, as the function for the whole of it does.
  *
  * Only vertices all of whose faces are in the range move. The others stay, even with `relax_constraints`, and so does all else
- * of `pmesh`, to the last bit. The faces of the range get what they would get if all other vertices were constrained: the
+ * of `pmesh`, to the last bit. The faces of the range get what they would get if all other vertices were constrained, with
+ * `LEAST_SQUARES` but for the choice of samples: the
  * errors that are compared at the end and the report are those of the range. Self-intersections are
  * tested with the rest of `pmesh`, too, and with `LEAST_SQUARES` the parts of the reference that are closer to the rest are left
  * to it.

@@ -244,10 +244,9 @@ Vertex_location_optimization_report optimize_vertex_locations(PolygonMesh& pmesh
  *
  * Only vertices all of whose faces are in the range move. The others stay, even with `relax_constraints`, and so does all else
  * of `pmesh`, to the last bit. The faces of the range get what they would get if all other vertices were constrained, with
- * `LEAST_SQUARES` but for the choice of samples: the
- * errors that are compared at the end and the report are those of the range. Self-intersections are
- * tested with the rest of `pmesh`, too, and with `LEAST_SQUARES` the parts of the reference that are closer to the rest are left
- * to it.
+ * `LEAST_SQUARES` but for the choice of samples. The errors that are compared at the end, and the report, are those of the
+ * range. Self-intersections are tested with the rest of `pmesh`, too, and with `LEAST_SQUARES` the parts of the reference that
+ * are closer to the rest are left to it.
  *
  * An iteration takes time for the range alone; to read the faces takes \cgalBigO{n} time for the \f$ n \f$ faces of `pmesh`,
  * and to find what is closer to the rest, once, \cgalBigO{n \log n}.

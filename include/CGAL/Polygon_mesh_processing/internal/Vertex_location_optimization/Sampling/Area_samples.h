@@ -66,7 +66,7 @@ inline Patch_tree<Flat_triangle> make_face_tree(const Remesh& remesh, const std:
 }
 
 // The largest distance from the reference to the faces in `tree`, of `points` and of the points to which climbing from those
-// with the largest of `distances` leads. `face(i)` is a face near to point i.
+// with the largest of `distances` leads, but for negative ones. `face(i)` is a face near to point i.
 template <typename Reference, typename Face>
 double largest_distance_from(const Reference& reference,
                              const Patch_tree<Flat_triangle>& tree,
@@ -81,7 +81,7 @@ double largest_distance_from(const Reference& reference,
   std::partial_sort(order.begin(), end, order.end(),
                     [&](Index i, Index j) { return distances[i] != distances[j] ? distances[i] > distances[j] : i < j; });
   double largest = 0;
-  for(auto i = order.begin(); i != end; ++i)
+  for(auto i = order.begin(); i != end && distances[*i] >= 0; ++i)
   {
     const auto height_of_point = [&](const Point& p) { return norm(p - tree.point(tree.project(p, face(*i)))); };
     const auto height = [&](const auto& foot) { return height_of_point(reference.point(foot)); };
@@ -142,8 +142,8 @@ public:
       group_by_face(number_of_faces);
       return {};
     }
-    const Patch_tree<Flat_triangle> tree = make_face_tree(remesh, remesh.points);
-    const std::vector<Index> faces = find_closest_faces<ConcurrencyTag>(tree);
+    std::vector<Index> faces(m_points.size());
+    const Approximation_error error = find_closest_faces<ConcurrencyTag>(reference, remesh, faces);
     // what is closest to the surroundings comes last, and is left out
     const auto group_of = [&](Index i) { return (std::min)(faces[i], number_of_faces); };
     std::vector<Index> order = Index_groups(number_of_faces + 1, faces.size(), group_of).members();
@@ -157,7 +157,7 @@ public:
       m_feet[i] = { face, closest_on_triangle(remesh.triangle(face), m_points[i]) };
     });
     group_by_face(number_of_faces);
-    return measure<ConcurrencyTag>(reference, tree);
+    return error;
   }
 
   // Finds the closest points for `remesh.points` from the last ones, but keeps those on faces whose vertices have gone no
@@ -196,31 +196,29 @@ public:
   }
 
 private:
-  // Finds the faces of the remesh that are closest, or of its surroundings, which follow them. Neighbors among the samples
-  // follow each other: the face of one is a hint for the next.
-  template <typename ConcurrencyTag>
-  std::vector<Index> find_closest_faces(const Patch_tree<Flat_triangle>& tree) const
+  // Finds the faces of the remesh, or of its surroundings, that are closest; returns the distance from the reference to the
+  // former. Neighbors among the samples follow each other: the face of one is a hint for the next.
+  template <typename ConcurrencyTag, typename Reference>
+  Approximation_error find_closest_faces(const Reference& reference, const Remesh& remesh, std::vector<Index>& faces) const
   {
-    std::vector<Index> closest(m_points.size());
+    const Patch_tree<Flat_triangle> tree = make_face_tree(remesh, remesh.points);
+    std::vector<double> distances(faces.size());
     constexpr std::size_t block_size = 64;
-    for_each_block<ConcurrencyTag>(closest.size(), block_size, [&](std::size_t begin, std::size_t end) {
+    constexpr double of_surroundings = -1;
+    for_each_block<ConcurrencyTag>(faces.size(), block_size, [&](std::size_t begin, std::size_t end) {
       Index hint = no_index;
       for(std::size_t i = begin; i < end; ++i)
-        closest[i] = hint = tree.project(m_points[i], hint).patch;
+      {
+        const Patch_foot foot = tree.project(m_points[i], hint);
+        faces[i] = hint = foot.patch;
+        distances[i] = foot.patch < remesh.number_of_faces() ? norm(m_points[i] - tree.point(foot)) : of_surroundings;
+      }
     });
-    return closest;
-  }
-
-  template <typename ConcurrencyTag, typename Reference>
-  Approximation_error measure(const Reference& reference, const Patch_tree<Flat_triangle>& tree) const
-  {
-    std::vector<double> distances(m_points.size());
-    const auto integral = sum_over_indices<ConcurrencyTag, Error_integral>(m_points.size(), [&](std::size_t i) {
-      distances[i] = norm(m_points[i] - tree.point(m_feet[i]));
-      return integral_of_sample(m_weights[i], distances[i]);
+    const auto integral = sum_over_indices<ConcurrencyTag, Error_integral>(faces.size(), [&](std::size_t i) {
+      return distances[i] < 0 ? Error_integral() : integral_of_sample(m_weights[i], distances[i]);
     });
     Approximation_error error = integral.error();
-    error.max = largest_distance_from(reference, tree, m_points, distances, [&](Index i) { return m_feet[i].patch; });
+    error.max = largest_distance_from(reference, tree, m_points, distances, [&](Index i) { return faces[i]; });
     return error;
   }
 

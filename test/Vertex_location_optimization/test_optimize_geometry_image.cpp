@@ -196,7 +196,7 @@ void test_parameters()
   CHECK(are_identical(optimized(image, sphere, params::placement_method(PMP::LEAST_SQUARES)).image,
                       optimized(image, sphere,
                                 params::placement_method(PMP::LEAST_SQUARES)
-                                  .regularity_weight(0.15)
+                                  .regularity_weight(0.17)
                                   .convergence_threshold(3e-4)
                                   .do_self_intersection_tests(true))
                         .image));

@@ -50,7 +50,8 @@ public:
   }
 
   // Samples face f with its corners at `t`. `feet[k]` is a hint for the corner k, `midpoint_feet[k]` one for the midpoint
-  // of the side opposite to it, and `largest` the largest distance at these six points. If it is to be exact, all closest points are searched for.
+  // of the side opposite to it, and `largest` the largest distance at these six points. If it is to be exact, all closest
+  // points are searched for.
   template <typename Reference>
   Face_distances measure(const Reference& reference,
                          const std::size_t f,

@@ -56,7 +56,7 @@ public:
     {
       const Part part = parts.back();
       parts.pop_back();
-      if(part.level >= min_level && upper_bound(part, size) <= (1 + tolerance) * largest)
+      if(part.level >= min_level && upper_bound(part, size) <= (1 + tolerance) * largest + rounding * size)
         continue;
       for(const Part& child : cut(t, part, largest))
       {
@@ -70,6 +70,7 @@ public:
   }
 
 private:
+  static constexpr double rounding = 1e-9;   // relative to the size of the triangle; below it the slopes are noise
   static constexpr double tolerance = 0.002; // of the result; it saves the last few parts
   static constexpr int max_level = 6;        // a part of that level is 1/64 as long as the triangle
 

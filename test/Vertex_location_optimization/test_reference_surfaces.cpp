@@ -65,7 +65,7 @@ void check_feet(const Surface& surface,
 
     // A hint makes it faster and nothing else. The hint is that of another point, the first far away.
     hint = surface.project(query, hint);
-    CHECK_NEAR(std::sqrt(CGAL::squared_distance(query, surface.point(hint))), distance, 1e-4 * tolerance);
+    CHECK_NEAR(std::sqrt(CGAL::squared_distance(query, surface.point(hint))), distance, 1e-4 * tolerance + 1e-15 * distance);
   }
 }
 
@@ -136,6 +136,31 @@ void test_hints()
       CHECK_AT_MOST(norm(surface.point(surface.project(query, hint)) - expected), 1e-11);
       const auto local = surface.patches().project_locally({ query.x(), query.y(), query.z() }, hint);
       CHECK_AT_MOST(norm(surface.point(local) - expected), 1e-11);
+    }
+  }
+}
+
+// Beyond the edges of a convex polyhedron two facets have the closest point; the one that is reported is always the same.
+void test_feet_on_sides()
+{
+  start_topic("Where facets share the closest point the hint does not choose the normal");
+  const Mesh mesh = make_mesh(icosphere(1));
+  const CGAL::Polygon_mesh_processing::Flat_triangle_surface<Mesh> surface(mesh);
+  for(auto e : mesh.edges())
+  {
+    const Point p = mesh.point(source(halfedge(e, mesh), mesh)), q = mesh.point(target(halfedge(e, mesh), mesh));
+    const Point beyond_edge = CGAL::ORIGIN + 1.3 * (CGAL::midpoint(p, q) - CGAL::ORIGIN);
+    const Point beyond_vertex = CGAL::ORIGIN + 1.3 * (p - CGAL::ORIGIN);
+    for(const Point& query : { beyond_edge, beyond_vertex })
+    {
+      const Vector normal = surface.normal(surface.project(query));
+      for(int i = 0; i < 10; ++i)
+      {
+        const auto hint = surface.project(query + random_vector(0.5));
+        CHECK_AT_MOST(norm(surface.normal(surface.project(query, hint)) - normal), 1e-9);
+        const auto local = surface.patches().project_locally({ query.x(), query.y(), query.z() }, hint);
+        CHECK_AT_MOST(norm(surface.normal(local) - normal), 1e-9);
+      }
     }
   }
 }
@@ -343,6 +368,7 @@ int main()
   test_flat(elephant, 0.005 * size, 0.05 * size);
 
   test_hints();
+  test_feet_on_sides();
   test_creases();
   test_watertight();
   test_border();

@@ -57,11 +57,11 @@ public:
 
   bool is_empty() const { return m_tree.empty(); }
 
-  Foot project(const Point& query) const { return m_tree.project(query); }
+  Foot project(const Point& query) const { return in_first_patch(m_tree.project(query)); }
 
   Foot project(const Point& query, const Foot& hint) const
   {
-    return m_tree.project(query, hint.patch == no_index ? no_index : approach(query, hint.patch));
+    return in_first_patch(m_tree.project(query, hint.patch == no_index ? no_index : approach(query, hint.patch)));
   }
 
   Foot project_locally(const Point& query, const Foot& hint) const
@@ -69,7 +69,7 @@ public:
     double distance2;
     Foot foot = m_tree.project_to_patch(query, approach(query, hint.patch), distance2);
     walk([&] { return step_to_neighbor(query, foot, distance2); }, foot, distance2);
-    return foot;
+    return in_first_patch(foot);
   }
 
   // The same, but the walk crosses the side k of a patch only if can_cross(patch, k). At such sides it goes on in any patch
@@ -274,6 +274,15 @@ private:
       patch = m_neighbors[patch][k] / 3;
     }
     return patch;
+  }
+
+  // Where patches meet, each of them has the closest point, and rounding would choose among their normals.
+  Foot in_first_patch(const Foot& foot) const
+  {
+    if(is_inside(foot.coordinates.barycentric()))
+      return foot;
+    const Feet feet = feet_at(foot);
+    return *std::min_element(feet.begin(), feet.end(), [](const Foot& a, const Foot& b) { return a.patch < b.patch; });
   }
 
   // The same point in the neighbor across side k; in none if the foot is not on that side or there is no neighbor.

@@ -3,18 +3,18 @@
  * \cgalConcept
  *
  * The concept `ReferenceSurface` describes the surface that a remesh approximates: it finds the point of the surface
- * that is closest to a given point, and tells the position and the normal there.
+ * that is closest to a given point, and returns the position and the normal there.
  *
- * A *foot* stands for a point of the surface. What it consists of, for example a patch and coordinates in the patch, is
- * the model's own business. The algorithms of this package keep the feet of the vertices from iteration to iteration and
- * give them back as hints, so that a search need not start from scratch.
+ * A *foot* represents a point of the surface, for example by a patch and coordinates in the patch; the representation is
+ * up to the model. The algorithms of this package keep the feet of the vertices from iteration to iteration and
+ * pass them as hints, so that a search need not start from scratch.
  *
  * The functions are called from several threads at the same time when a function of this package is called with
  * `CGAL::Parallel_tag`.
  *
- * Between the first and the last iteration a sample moves along with its query in the tangent plane, and only when that has
- * gone some way is its foot found anew. The models of this package then walk from the last foot; another model is asked to
- * `project()`, with the last foot as the hint. With such a model, the vertices of constrained edges stay even if
+ * Between the first and the last iteration, a sample moves along with its query in the tangent plane; its foot is searched
+ * again only when the query has moved far enough. The models of this package then walk from the last foot; of other models
+ * `project()` is called, with the last foot as the hint. With such a model, the vertices of constrained edges stay even if
  * `relax_constraints` is `true`, and `LEAST_SQUARES` takes its samples from the remesh alone.
  *
  * A class with a nested type `Foot` is taken for a model of this concept, another one for a polygon mesh.

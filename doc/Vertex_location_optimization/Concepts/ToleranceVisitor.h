@@ -3,11 +3,10 @@
  * \cgalConcept
  *
  * The concept `ToleranceVisitor` describes the visitor of
- * `CGAL::Polygon_mesh_processing::remesh_within_tolerance()`, which is told about each remeshing and can end the search.
+ * `CGAL::Polygon_mesh_processing::remesh_within_tolerance()`, which is notified of each remeshing and can stop the search.
  *
- * It is also the visitor of the optimizations of the remeshes, which ask `go_further()` before each phase. A search that is
- * ended finishes the remesh that it is at, as far as that has been optimized, and measures it; the best remesh so far is the
- * result.
+ * It is also the visitor of the optimizations of the remeshes, which call `go_further()` before each phase. When a search is
+ * stopped, the current remesh is measured with the result of its iterations so far; the best remesh found is the result.
  *
  * A model can derive from `CGAL::Polygon_mesh_processing::Tolerance_default_visitor` and hide the functions that it needs.
  *

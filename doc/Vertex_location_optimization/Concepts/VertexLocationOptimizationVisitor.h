@@ -3,10 +3,10 @@
  * \cgalConcept
  *
  * The concept `VertexLocationOptimizationVisitor` describes the visitor of
- * `CGAL::Polygon_mesh_processing::optimize_vertex_locations()`, which is told about the progress and can end the run.
+ * `CGAL::Polygon_mesh_processing::optimize_vertex_locations()`, which is notified of the progress and can stop the run.
  *
  * Its functions are called from the thread that called `optimize_vertex_locations()`, whatever the concurrency tag.
- * During the run the mesh is as it was before: the points are written at its end.
+ * During the run the mesh is unchanged: the points are written at the end.
  *
  * A model can derive from `CGAL::Polygon_mesh_processing::Vertex_location_optimization_default_visitor` and hide the
  * functions that it needs.
@@ -32,9 +32,9 @@ public:
 
   /*!
    * is called before each phase of an iteration, before `start_phase()`. If it returns `false`, the iterations end: the
-   * unfinished one is given up, and what the complete ones have reached is the result, with the same guarantees as that
-   * of a full run. `ENFORCE_GUARANTEE` sees to these and is not asked for: it takes as long as several iterations, and
-   * longer where many moves have to be shortened.
+   * unfinished one is discarded, and the result is that of the complete ones, with the same guarantees as after a full
+   * run. It is not called before `ENFORCE_GUARANTEE`, which is always done: that takes as long as several iterations,
+   * and longer where many moves have to be shortened.
    */
   bool go_further();
 };

@@ -18,7 +18,7 @@ namespace Polygon_mesh_processing {
 /*!
  * \ingroup PkgVertexLocationOptimizationSurfaces
  *
- * \brief The class `Flat_triangle_surface` is a polygon mesh as it is, piecewise linear.
+ * \brief The class `Flat_triangle_surface` is the piecewise linear surface of a polygon mesh.
  *
  * It is the reference surface for dense scans, whose triangles are much smaller than those of the remesh, and for
  * parts with planar faces. Its normals are those of the faces. A face with more than three corners is triangulated, on a
@@ -74,8 +74,8 @@ public:
   bool is_empty() const;
 
   /*!
-   * returns where a foot is in the mesh that the surface was made from: the face, and the barycentric coordinates in it,
-   * in the order of `PMP::Face_location`, which begins with the source of the halfedge of the face. The point there is that
+   * returns the location of a foot in the mesh that the surface was made from: the face, and the barycentric coordinates in
+   * it, in the order of `PMP::Face_location`, which begins with the source of the halfedge of the face. The point there is that
    * of the foot.
    */
   Face_location<PolygonMesh, double> location(const Foot& foot) const;

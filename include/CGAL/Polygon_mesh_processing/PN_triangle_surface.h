@@ -120,8 +120,8 @@ public:
   bool is_empty() const;
 
   /*!
-   * returns where a foot is in the mesh that the surface was made from: the face, and the barycentric coordinates in it,
-   * in the order of `PMP::Face_location`, which begins with the source of the halfedge of the face. The point of the surface
+   * returns the location of a foot in the mesh that the surface was made from: the face, and the barycentric coordinates in
+   * it, in the order of `PMP::Face_location`, which begins with the source of the halfedge of the face. The point of the surface
    * is not that of the face with these coordinates but lies above or below it.
    *
    * \pre the face is a triangle: others have no barycentric coordinates

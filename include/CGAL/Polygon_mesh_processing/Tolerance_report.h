@@ -47,7 +47,7 @@ struct Tolerance_report
   /// the distance of the points of the reference to the remesh; infinite if there is no remesh
   Approximation_error from_reference = { infinity, infinity, infinity };
 
-  /// how often the remesher was called; in the report of an attempt, up to it
+  /// the number of calls of the remesher so far
   std::size_t number_of_remeshings = 0;
 
   /// whether the tolerated error of both directions, as measured, is not larger than the tolerance

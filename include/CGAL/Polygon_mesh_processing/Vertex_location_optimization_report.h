@@ -76,25 +76,25 @@ struct Vertex_location_optimization_report
   /// the number of iterations done; `0` if the input was unsuitable
   std::size_t iterations = 0;
 
-  /// whether the run ended since the vertices did not move farther than the convergence threshold
+  /// whether the run ended because no vertex moved farther than the convergence threshold
   bool converged = false;
 
-  /// how far the vertex that moved farthest in the last iteration moved, in the unit of the input
+  /// the largest displacement of a vertex in the last iteration, in the unit of the input
   double displacement = 0;
 
-  /// the number of vertices that are not where they were
+  /// the number of vertices whose positions differ from those in the input
   std::size_t moved_vertices = 0;
 
   /// the number of vertices whose moves were shortened, in an iteration or at the end
   std::size_t corrected_vertices = 0;
 
-  /// those among them without which a face would have flipped, collapsed, or been folded sharply
+  /// those of them that were shortened because a face would have flipped, collapsed, or been folded sharply
   std::size_t corrected_for_shape = 0;
 
-  /// those without which the distance between the surfaces would be larger than before
+  /// those that were shortened because the distance between the surfaces would have become larger
   std::size_t corrected_for_error = 0;
 
-  /// those without which two faces would intersect that did not before
+  /// those that were shortened because two faces would have intersected that did not before
   std::size_t corrected_for_intersection = 0;
 
   /// those whose moves `allow_move_functor` has refused
@@ -117,7 +117,7 @@ struct Vertex_location_optimization_report
   double volume_change = 0;
 
   /// whether the mesh encloses the volume of the reference, as `preserve_volume` asks; `false` if that was not asked for, if
-  /// one of the two is not closed, or if it could not be had within the guarantee
+  /// one of the two is not closed, or if the guarantee did not permit it
   bool is_volume_preserved = false;
 
   /// the surface to which the mesh was fitted

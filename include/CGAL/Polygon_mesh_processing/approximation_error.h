@@ -31,7 +31,7 @@ namespace Polygon_mesh_processing {
  * integral is taken from samples. A face gets as many as there are faces of the reference below it, small faces get few,
  * and more are taken until the mean is probably known to a few thousandths: it is typically 0.1% off, but may be 2% off on a
  * mesh of a few large faces. The maximum is searched for on whole faces, edges and vertices included, from the samples where
- * it may be; it is within 1% on most meshes. Beware that the search is bounded: a peak of the distance that is much narrower
+ * it may be; it is within 1% on most meshes. The search is bounded, however: a peak of the distance that is much narrower
  * than the faces of both surfaces may be missed.
  *
  * A face with more than three corners stands for the mean of its fans, one from each of its corners, as in
@@ -100,7 +100,7 @@ namespace Polygon_mesh_processing {
  *     \cgalParamType{a class model of `WritablePropertyMap` with
  *                    `boost::graph_traits<PolygonMesh>::%vertex_descriptor` as key type and `double` as value type}
  *     \cgalParamDefault{not written}
- *     \cgalParamExtra{The vertices of a remesh lie on the reference, so that their own distances say nothing. The mean
+ *     \cgalParamExtra{The vertices of a remesh lie on the reference, so their own distances are meaningless. The mean
  *                     of this map, where each vertex has a third of the area around it, is the mean over `pmesh` if its
  *                     faces are triangles.}
  *   \cgalParamNEnd
@@ -145,7 +145,7 @@ Approximation_error approximation_error(const PolygonMesh& pmesh,
 /*!
  * \ingroup PkgVertexLocationOptimizationRef
  *
- * \brief measures the distance of a part of a polygon mesh to a reference surface, as the function for the whole of it does.
+ * \brief measures the distance of a part of a polygon mesh to a reference surface, as the function for the whole mesh does.
  *
  * \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
  *                        `Parallel_tag`, and `Parallel_if_available_tag`.
@@ -194,8 +194,8 @@ Approximation_error approximation_error(const FaceRange& faces,
  * \brief measures the angle between the normals of a polygon mesh and those of a reference surface.
  *
  * Each point of a face has a normal, interpolated linearly from those at the corners. The angle between it and the normal of
- * the reference at the closest point is averaged over the area of `pmesh`. Unless the user says how many, a face gets eight
- * samples for each face of the reference that it covers, and 16 at least.
+ * the reference at the closest point is averaged over the area of `pmesh`. By default, a face gets eight samples for each
+ * face of the reference that it covers, and at least 16.
  *
  * The computations are done in double precision. The result does not depend on the number of threads.
  *
@@ -224,8 +224,8 @@ Approximation_error approximation_error(const FaceRange& faces,
  * \pre all coordinates are finite
  * \pre the reference has a face, unless `pmesh` has no vertex
  *
- * \return the mean angle in degrees. Where one of the two normals has no direction nothing is counted; `0` if nothing is
- *         counted at all. `180` if a precondition is violated and not checked, and where coordinates are so large that
+ * \return the mean angle in degrees. Points where one of the two normals has no direction are not counted; `0` if there
+ *         are no others. `180` if a precondition is violated and not checked, and where coordinates are so large that
  *         areas overflow.
  *
  * \sa `CGAL::Polygon_mesh_processing::optimize_vertex_normals()`
@@ -260,7 +260,7 @@ double normal_deviation(const PolygonMesh& pmesh,
  *
  * \brief measures the angle between the normals of the faces of a polygon mesh and those of a reference surface.
  *
- * All points of a face have the normal of the face; all else is as in the function that takes a map of normals.
+ * All points of a face have the normal of the face. Otherwise it is the same as the function that takes a map of normals.
  */
 template <typename ConcurrencyTag = Sequential_tag,
           typename PolygonMesh,

@@ -34,8 +34,8 @@ namespace Polygon_mesh_processing {
  * \brief computes the values of an attribute, such as colors or texture coordinates, of the vertices of a polygon mesh
  *        whose interpolation over its faces is closest to the attribute of a reference surface.
  *
- * A remesh has lost the attributes of its input. To read them off at the closest points of its vertices is not the best that
- * can be done: what lies between the vertices then does not count, and what is finer than the faces is aliased. This
+ * A remesher drops the attributes of its input. Copying them from the closest points of the vertices ignores the values
+ * between the vertices, and aliases details that are finer than the faces. This
  * function takes the attribute of the reference as a signal \f$ s \f$, as \cgalCite{vlo2012} takes its points and normals
  * (Sections 3.1 and 3.4), and finds the values \f$ a_k \f$ that minimize
  * \f[ \int \Big\| \sum_k \lambda_k(x)\,a_k - s(\pi(x)) \Big\|^2 dx \f]
@@ -44,8 +44,8 @@ namespace Polygon_mesh_processing {
  * `optimize_vertex_locations()`.
  *
  * The integral is a sum over samples, at least six in each face of `pmesh` and about as many as the reference has faces:
- * what is finer than the faces of `pmesh` is averaged. A signal that is linear over the surface is
- * reproduced but for rounding. The mean of the differences at the samples is never larger than with the values at the
+ * details finer than the faces of `pmesh` are averaged. A signal that is linear over the surface is reproduced, up to
+ * rounding. The mean of the differences at the samples is never larger than with the values at the
  * closest points of the vertices.
  *
  * A face with more than three corners stands for the mean of its fans, as in `optimize_vertex_locations()`: each of their triangles

@@ -29,9 +29,9 @@ namespace Polygon_mesh_processing {
  * the mean distance between the two surfaces falls to about half, and on a sphere to a fifth.
  *
  * Each iteration samples the reference at the vertices and at the midpoints of the edges, replaces each vertex by that
- * of the best piecewise linear fit to the samples around it, lets springs between neighbors keep the triangles regular,
- * and shortens moves that flip a face. It is Algorithm 1 of \cgalCite{vlo2012}; its equations (1) to (4) are those
- * of the fit and of the springs.
+ * of the best piecewise linear fit to the samples around it, keeps the triangles regular by springs between neighbors,
+ * and shortens moves that flip a face. This is Algorithm 1 of \cgalCite{vlo2012}, with equations (1) and (2) for the fit,
+ * and (3) and (4) for the springs.
  *
  * As far as its samples tell, the result is never worse than the input. Neither the mean nor the maximum distance from
  * `pmesh` to the reference is larger than before; with `guarantee_both_directions` the same holds for the distances from
@@ -40,19 +40,19 @@ namespace Polygon_mesh_processing {
  * those of all faces around it at first. No edge is folded by more than a right angle that is also folded more sharply than
  * all edges at its ends were, by 5 degrees, and than the reference turns there, by 10 degrees. To that end the distance is
  * sampled at some 65536 points, from four to 576 on each face, and its maximum is searched for by branch and bound, with a
- * margin of 1%. Moves are shortened only where they do harm. If the mean does not fall by more than 0.75% even so, which is
- * how exactly two measured means can be compared, all are taken back. The section \ref secVLOGuarantee says what this may
- * miss.
+ * margin of 1%. Moves are shortened only where they do harm. If the mean still does not fall by more than 0.75%, the accuracy
+ * with which two measured means can be compared, all moves are taken back. Section \ref secVLOGuarantee describes what the
+ * samples may miss.
  *
  * The faces may have any number of corners. One with more than three stands for the mean of its fans, one from each of its
  * corners, all with the same weight: a quad is both its pairs of triangles, half each. So nothing depends on which corner comes
- * first, and a corner off the plane of the others counts for what it is. Distances, errors and the guarantee above are those of
- * these triangles; springs act along the edges of the faces. The section \ref secVLOPolygons says more.
+ * first, and a corner off the plane of the others counts as such. Distances, errors and the guarantee above are those of
+ * these triangles; springs act along the edges of the faces. See Section \ref secVLOPolygons.
  *
  * The computations are done in double precision, whatever the kernel of the points; with an exact one the points of the
  * vertices that move are converted. The result does not depend on the number of threads.
  *
- * If the visitor, a functor or a property map throws an exception, `pmesh` is as it was.
+ * If the visitor, a functor, or a property map throws an exception, `pmesh` is unchanged.
  *
  * An iteration takes \cgalBigO{n \log m} time for \f$ n \f$ vertices and a reference of \f$ m \f$ faces.
  *
@@ -64,12 +64,12 @@ namespace Polygon_mesh_processing {
  * \tparam NamedParameters1 a sequence of \ref bgl_namedparameters "Named Parameters"
  * \tparam NamedParameters2 a sequence of \ref bgl_namedparameters "Named Parameters"
  *
- * \param pmesh the remesh, whose vertices are moved; its faces may have more than three corners. Vertices that are at the same point, such as the copies of a
- *              non-manifold vertex, stay.
+ * \param pmesh the remesh, whose vertices are moved; its faces may have more than three corners. Vertices at the same point,
+ *              such as the copies of a non-manifold vertex, do not move.
  * \param reference the surface that `pmesh` approximates: the polygon mesh that was remeshed, which is taken as a
  *                  `PN_triangle_surface`, or, if creases make more than a third of the length of its edges, as a
- *                  `Flat_triangle_surface`; or a reference surface, which can serve for many calls. The report says
- *                  which it was.
+ *                  `Flat_triangle_surface`; or a reference surface, which can be used for many calls. The report says
+ *                  which surface was used.
  * \param np1 an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
  *
  * \cgalNamedParamsBegin
@@ -83,51 +83,50 @@ namespace Polygon_mesh_processing {
  *   \cgalParamNEnd
  *
  *   \cgalParamNBegin{number_of_iterations}
- *     \cgalParamDescription{the number of iterations at most}
+ *     \cgalParamDescription{the maximum number of iterations}
  *     \cgalParamType{unsigned integer}
  *     \cgalParamDefault{`30`}
  *   \cgalParamNEnd
  *
  *   \cgalParamNBegin{number_of_free_iterations}
- *     \cgalParamDescription{In the first so many iterations a vertex moves freely, afterwards only along the normal of
- *                           the reference.}
+ *     \cgalParamDescription{the number of iterations, at the beginning, in which vertices move freely; afterwards they
+ *                           move only along the normal of the reference}
  *     \cgalParamType{unsigned integer}
  *     \cgalParamDefault{`20`}
  *   \cgalParamNEnd
  *
  *   \cgalParamNBegin{convergence_threshold}
- *     \cgalParamDescription{When no vertex has moved farther than this, relative to the mean length of the edges around
- *                           it, the iterations end: with the next one, if the closest points were not exact. With
- *                           `LEAST_SQUARES` it is the root mean square of the displacements along the normals of the
- *                           reference that counts.}
+ *     \cgalParamDescription{The iterations end when no vertex has moved farther than this, relative to the mean length
+ *                           of the edges around it; with the next iteration, if the closest points were not exact.
+ *                           With `LEAST_SQUARES`, the root mean square of the displacements along the normals of the
+ *                           reference is compared instead.}
  *     \cgalParamType{a number type convertible to `double`}
  *     \cgalParamDefault{`1e-6`; with `LEAST_SQUARES` `3e-4`}
  *   \cgalParamNEnd
  *
  *   \cgalParamNBegin{placement_method}
- *     \cgalParamDescription{how a vertex is placed among its samples}
+ *     \cgalParamDescription{how the position of a vertex is computed from the samples}
  *     \cgalParamType{`Placement_method`}
  *     \cgalParamDefault{`PIECEWISE_LINEAR`}
  *   \cgalParamNEnd
  *
  *   \cgalParamNBegin{regularity_weight}
- *     \cgalParamDescription{with `LEAST_SQUARES`, the weight of the regularity of the faces beside their error; less
- *                           of it gives less error and less regular triangles. It counts in full where the present error
- *                           is large; where it is below 1.8% of the length of the edges around, the weight falls in
- *                           proportion to it: the smaller the error, the less of it is given for regularity.}
+ *     \cgalParamDescription{with `LEAST_SQUARES`, the weight of the regularity of the faces relative to their error; a
+ *                           smaller weight gives a smaller error and less regular triangles. Where the present error is
+ *                           below 1.8% of the length of the edges around, the weight is reduced in proportion to it.}
  *     \cgalParamType{a number type convertible to `double`, or `std::optional<double>`, of which an empty one is the
  *                    default}
- *     \cgalParamDefault{`0.17` where `pmesh` comes with regular faces, whose smallest angles are 50 degrees on an
- *                       average; the less, down to a fifth, the smaller these angles are, as after simplification}
+ *     \cgalParamDefault{`0.17` where the faces of `pmesh` are regular, with smallest angles of 50 degrees on
+ *                       average; less, down to a fifth, where these angles are smaller, as after simplification}
  *     \cgalParamExtra{The springs of `PIECEWISE_LINEAR` have no weight: see `number_of_relaxation_steps`. With
- *                     `LEAST_SQUARES` only the vertices of constrained edges have springs, and the free iterations are
- *                     theirs alone.}
+ *                     `LEAST_SQUARES` only the vertices of constrained edges have springs, and free iterations apply
+ *                     to these vertices only.}
  *   \cgalParamNEnd
  *
  *   \cgalParamNBegin{number_of_relaxation_steps}
  *     \cgalParamDescription{the number of steps of the springs in each free iteration; `0`: no springs}
  *     \cgalParamType{unsigned integer, or `std::optional<std::size_t>`, of which an empty one is the default}
- *     \cgalParamDefault{`1`, with springs that are the weaker the smaller the angles of `pmesh` are, and none where their
+ *     \cgalParamDefault{`1`, with springs that are weaker where the angles of `pmesh` are smaller, and absent where their
  *                       mean is below 36 degrees, as after simplification; `0` if a face has more than three corners}
  *   \cgalParamNEnd
  *
@@ -143,10 +142,10 @@ namespace Polygon_mesh_processing {
  *
  *   \cgalParamNBegin{relax_constraints}
  *     \cgalParamDescription{If `true`, a vertex with exactly two constrained edges that form an angle of more than 120
- *                           degrees moves to where these edges approximate the crease or border of the reference best
- *                           that they run along. Other vertices of constrained edges are corners and do not move. Where
- *                           a corner of the reference, at which creases or borders meet, has been cut off, the nearest
- *                           vertex with as many constrained edges moves to it.}
+ *                           degrees moves to where these edges best approximate the crease or border of the reference
+ *                           along which they run. Other vertices of constrained edges are corners and do not move.
+ *                           Where a corner of the reference, at which creases or borders meet, has been cut off, the
+ *                           nearest vertex with as many constrained edges moves to it.}
  *     \cgalParamType{Boolean}
  *     \cgalParamDefault{`false`}
  *     \cgalParamExtra{The creases of the reference are those of `PN_triangle_surface` and `Flat_triangle_surface`. With
@@ -162,9 +161,9 @@ namespace Polygon_mesh_processing {
  *   \cgalParamNEnd
  *
  *   \cgalParamNBegin{allow_move_functor}
- *     \cgalParamDescription{a function object that decides whether a vertex may be moved. It is asked, by one thread,
- *                           for each move of an iteration and, at the end, for the whole move from the input; a vertex
- *                           that is refused there returns to where it was in the input.}
+ *     \cgalParamDescription{a function object that decides whether a vertex may be moved. It is called, by one thread,
+ *                           for each move of an iteration and, at the end, for the whole move from the input; if that
+ *                           is refused, the vertex returns to its position in the input.}
  *     \cgalParamType{a functor that provides `bool operator()(vertex_descriptor v, Point_3 src, Point_3 tgt)`, returning
  *                    `true` if the vertex `v` may be moved from `src` to `tgt`; `%Point_3` being the value type of the
  *                    vertex point map}
@@ -180,25 +179,25 @@ namespace Polygon_mesh_processing {
  *   \cgalParamNEnd
  *
  *   \cgalParamNBegin{guarantee_both_directions}
- *     \cgalParamDescription{If `true`, the mean and the maximum distance from the reference to `pmesh` are measured, too,
- *                           and are not larger than before. By them one sees that a thin part has become shorter.}
+ *     \cgalParamDescription{If `true`, the guarantee extends to the mean and the maximum distance from the reference to
+ *                           `pmesh`, which show whether a thin part has become shorter.}
  *     \cgalParamType{Boolean}
  *     \cgalParamDefault{`false`; with `LEAST_SQUARES` `true`}
  *     \cgalParamExtra{The reference must be a mesh, a `PN_triangle_surface`, or a `Flat_triangle_surface`. Another model of
- *                     `ReferenceSurface` cannot be sampled, and the parameter is then without effect.}
+ *                     `ReferenceSurface` cannot be sampled; the parameter then has no effect.}
  *   \cgalParamNEnd
  *
  *   \cgalParamNBegin{preserve_volume}
  *     \cgalParamDescription{If `true` and both are closed, the vertices are moved along the normals at the end so that
  *                           `pmesh` encloses the volume of the reference. Constrained vertices stay, and so do those whose
- *                           move would violate the guarantee. The report says whether it has been possible.}
+ *                           move would violate the guarantee. The report says whether this was possible.}
  *     \cgalParamType{Boolean}
  *     \cgalParamDefault{`false`}
  *     \cgalParamExtra{Of models of `ReferenceSurface` only those of this package are known to be closed.}
  *   \cgalParamNEnd
  *
  *   \cgalParamNBegin{visitor}
- *     \cgalParamDescription{a visitor that is told about the progress and can end the run}
+ *     \cgalParamDescription{a visitor that is notified of the progress and can stop the run}
  *     \cgalParamType{a class model of `VertexLocationOptimizationVisitor`; `std::ref()` of one, so that it is not copied}
  *     \cgalParamDefault{`Vertex_location_optimization_default_visitor`}
  *   \cgalParamNEnd
@@ -240,7 +239,7 @@ Vertex_location_optimization_report optimize_vertex_locations(PolygonMesh& pmesh
 /*!
  * \ingroup PkgVertexLocationOptimizationRef
  *
- * \brief moves the vertices of a part of a remesh, as the function for the whole of it does.
+ * \brief moves the vertices of a part of a remesh, as the function for the whole mesh does.
  *
  * Only vertices all of whose faces are in the range move. The others stay, even with `relax_constraints`, and so does all else
  * of `pmesh`, to the last bit. The faces of the range get what they would get if all other vertices were constrained, with

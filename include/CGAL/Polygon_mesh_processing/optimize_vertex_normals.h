@@ -29,8 +29,8 @@ namespace Polygon_mesh_processing {
  * \brief computes the unit normals of the vertices of a polygon mesh whose interpolation over its faces is closest to
  *        the normals of a reference surface.
  *
- * A renderer interpolates the normals of the vertices. The normals of the faces around a vertex give poor ones where the
- * mesh is coarse, and those of the reference at the vertices are on average too much curved. This function fits a
+ * A renderer interpolates the normals of the vertices. Averages of the normals of the faces are poor where the mesh is
+ * coarse, and the normals of the reference at the vertices vary too much, on average. This function fits a
  * piecewise linear function to the normals of the reference, as `optimize_vertex_attributes()` does with any attribute, and
  * scales its values to length 1 (Section 3.4 of \cgalCite{vlo2012}). It is best called after
  * `optimize_vertex_locations()`.

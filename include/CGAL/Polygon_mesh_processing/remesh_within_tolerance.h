@@ -33,21 +33,21 @@ namespace Polygon_mesh_processing {
  *
  * \brief finds the coarsest remesh of a triangle mesh whose error is within a tolerance.
  *
- * The remesher is called with one edge length after the other, each time for a copy of `input`. Each remesh is optimized by
+ * The remesher is called with several edge lengths, each time for a copy of `input`. Each remesh is optimized by
  * `optimize_vertex_locations()` and measured in both directions, from the remesh to the reference and back. The error goes
  * about with the square of the edge length; a secant method in logarithms, which starts at a guess from the curvature of the
- * input, needs four to seven remeshings as a rule to know the edge length to 2%. It does not rely on that: the error may have
- * noise or jumps, and the remesher may ignore the length or fail at some. The remesh with the fewest vertices among those
+ * input, usually needs four to seven remeshings to find the edge length to 2%. It does not rely on that: the error may
+ * be noisy or jump, and the remesher may ignore the length or fail at some lengths. The remesh with the fewest vertices among those
  * within the tolerance is the result; if none is, it is the one with the smallest error, and the report says so.
  *
- * The error is measured to the faces of `input` as they are, and what the report says is what was measured on the result by
- * `approximation_error()`. Whoever means the smooth surface that `input` stands for gives it as `reference_surface`.
+ * The error is the distance to the faces of `input` as they are; the report has the values that `approximation_error()`
+ * measured on the result. To use the smooth surface that `input` stands for instead, pass it as `reference_surface`.
  *
  * The largest distance is often that of a few spots only. If no more than a tenth of the faces of a remesh is beyond a
  * tolerated `MAXIMUM_ERROR` after the optimization, they are split at their longest sides and the remesh is optimized again:
  * a few vertices there save many elsewhere. The result can thus have more vertices than the remesher made.
  *
- * No remesh is asked for that would have more than four times as many faces as `input`, or 100000 if that is more. The
+ * No remesh is requested that would have more than four times as many faces as `input`, or 100000 if that is more. The
  * result is deterministic if the remesher is, and does not depend on the number of threads.
  *
  * \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
@@ -90,7 +90,7 @@ namespace Polygon_mesh_processing {
  *   \cgalParamNEnd
  *
  *   \cgalParamNBegin{maximum_number_of_remeshings}
- *     \cgalParamDescription{how often the remesher is called at most}
+ *     \cgalParamDescription{the maximum number of calls of the remesher}
  *     \cgalParamType{unsigned integer}
  *     \cgalParamDefault{`12`}
  *   \cgalParamNEnd
@@ -127,7 +127,7 @@ namespace Polygon_mesh_processing {
  *   \cgalParamNEnd
  *
  *   \cgalParamNBegin{visitor}
- *     \cgalParamDescription{a visitor that is told about each remeshing and can end the search}
+ *     \cgalParamDescription{a visitor that is notified of each remeshing and can stop the search}
  *     \cgalParamType{a class model of `ToleranceVisitor`; `std::ref()` of one, so that it is not copied}
  *     \cgalParamDefault{`Tolerance_default_visitor`}
  *   \cgalParamNEnd
@@ -207,7 +207,7 @@ Tolerance_report remesh_within_tolerance(const TriangleMesh& input,
  *
  * \brief finds the coarsest remesh by `isotropic_remeshing()` whose error is within a tolerance.
  *
- * It is the function that takes a remesher, with `isotropic_remeshing()` in 10 iterations with 3 relaxation steps each, which
+ * It calls the function that takes a remesher with `isotropic_remeshing()`, in 10 iterations of 3 relaxation steps, which
  * keeps the constrained edges of `input` and the corners of these and of the border.
  */
 template <typename ConcurrencyTag = Sequential_tag,

@@ -27,8 +27,8 @@ namespace Polygon_mesh_processing {
  * \brief gives each face of a polygon mesh the value that most of it has on a reference surface, for example a material or
  *        the id of a patch.
  *
- * Ids and labels cannot be averaged. Each face is sampled, and gets the value that is met most often at the closest points
- * of the reference. The borders between regions of the same value so end up on the edges of `pmesh` that are nearest to
+ * Ids and labels cannot be averaged. Each face is sampled, and gets the most frequent value at the closest points of
+ * the reference. So the borders between regions of equal values end up on the edges of `pmesh` that are nearest to
  * them.
  *
  * The result does not depend on the number of threads.

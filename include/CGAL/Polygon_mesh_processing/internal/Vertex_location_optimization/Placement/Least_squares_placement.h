@@ -29,7 +29,7 @@ inline Optimization_options least_squares_defaults()
   return options;
 }
 
-// What the faces at a vertex say to it.
+// The sums of the faces at a vertex.
 struct Vertex_equations
 {
   Normal_equations of_faces;

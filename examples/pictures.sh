@@ -77,6 +77,9 @@ render_errors()
 # scale_of PREFIX WHICH: what is yellow, 1: in the unit of the coordinates, 2: in 1/10000 of the longest side
 scale_of() { sed -n "s/.*(violet) to \([^ ]*\) (yellow), \([^ ]*\)\/10000 .*/\\$2/p" "$1log.txt"; }
 
+# mean_error PREFIX COLUMN: what the log says, before (1) and after (2)
+mean_error() { awk -v column="$2" '$1 == "mean" && $2 == "error" { print $(2 + column); exit }' "$1log.txt"; }
+
 scale_unit="distance to the input, in 1/10000 of the longest side of its bounding box"
 
 compare_errors()
@@ -84,8 +87,8 @@ compare_errors()
   local prefix=$1 picture=$2 remesher=${remesher:-isotropic_remeshing()}
   shift 2
   render_errors "$prefix" remesh "$@" && render_errors "$prefix" optimized "$@" &&
-    put_side_by_side "$picture" "${prefix}remesh.png" "$remesher" \
-      "${prefix}optimized.png" "and optimize_vertex_locations()" &&
+    put_side_by_side "$picture" "${prefix}remesh.png" "$remesher: mean error $(mean_error "$prefix" 1)" \
+      "${prefix}optimized.png" "optimize_vertex_locations(): $(mean_error "$prefix" 2)" &&
     put_scale_below "$picture" "$(scale_of "$prefix" 2)" "$scale_unit"
 }
 

@@ -23,16 +23,15 @@ mkdir -p "$figures" "$work"
 # shellcheck disable=SC2119
 configure
 
-# draw_errors MODEL "OPTIONS" [NAME=VALUE...]: the errors before and after; OPTIONS are those of optimize_remesh, the others
-# are variables of mesh_to_scene.awk
+# draw_errors NAME MODEL "OPTIONS" [NAME=VALUE...]: the errors before and after, as errors_NAME.png; OPTIONS are those of
+# optimize_remesh, the others are variables of mesh_to_scene.awk
 draw_errors()
 {
-  local model=$1 options=$2
-  shift 2
+  local name=$1 model=$2 options=$3
+  shift 3
   # shellcheck disable=SC2086  # the options are several words
-  "$examples/optimize_remesh" "$CGAL_DATA_DIR/meshes/$model.off" $options \
-    --output "$work/${model}_" | tee "$work/${model}_log.txt"
-  compare_errors "$work/${model}_" "$figures/errors_$model.png" "$@"
+  "$examples/optimize_remesh" "$CGAL_DATA_DIR/meshes/$model.off" $options --output "$work/${name}_" | tee "$work/${name}_log.txt"
+  compare_errors "$work/${name}_" "$figures/errors_$name.png" "$@"
 }
 
 # draw_normals MODEL EDGE_LENGTH [NAME=VALUE...]: a coarse remesh with its own and with optimized normals
@@ -78,10 +77,12 @@ draw_pictures()
 {
   cmake --build "$build_dir" -j "$jobs" --target optimize_remesh optimize_vertex_normals_example optimize_attributes_example \
     optimize_geometry_image_example optimize_quads_example
-  draw_errors armadillo "--edge-length 0.012" azimuth=180
-  draw_errors refined_elephant "--edge-length 0.025"
-  draw_errors bunny00 "--edge-length 0.05" edges=1
-  draw_errors fandisk "--edge-length 0.04 --crease-angle 40 --relax-constraints --reference flat" edges=1 azimuth=30 elevation=20
+  draw_errors armadillo armadillo "--edge-length 0.012" azimuth=180
+  draw_errors refined_elephant refined_elephant "--edge-length 0.025"
+  draw_errors bunny00 bunny00 "--edge-length 0.05" edges=1
+  draw_errors fandisk fandisk "--edge-length 0.04 --least-squares --reference flat" edges=1 azimuth=30 elevation=20
+  remesher="edge_collapse()" draw_errors simplified armadillo "--simplify 2000 --least-squares --reference flat" \
+    edges=1 azimuth=180
   draw_quads double-torus-example elevation=20
   draw_normals armadillo 2.7 azimuth=180
   draw_colors bunny00 0.03

@@ -133,7 +133,7 @@ void test_regularity(const Input& input)
 
 void test_chaining(const Input& input)
 {
-  start_topic("The package's names in any order, then CGAL's");
+  start_topic("The names in any order");
   const auto all = [&](const auto& np1) { return optimized(input.mesh, input.reference, np1); };
   const std::vector<Point> expected =
     all(parameters::number_of_free_iterations(5).convergence_threshold(1e-3).number_of_iterations(10));
@@ -143,6 +143,10 @@ void test_chaining(const Input& input)
               .number_of_iterations(10)
               .relax_constraints(false)
               .geom_traits(Kernel())) == expected);
+  CHECK(all(parameters::number_of_iterations(10).number_of_free_iterations(5).convergence_threshold(1e-3)) == expected);
+  CHECK(
+    all(parameters::relax_constraints(false).convergence_threshold(1e-3).number_of_iterations(10).number_of_free_iterations(
+      5)) == expected);
   CHECK(expected != all(parameters::number_of_iterations(10)));
   CHECK(expected != all(parameters::number_of_free_iterations(5).convergence_threshold(1e-1).number_of_iterations(10)));
   CHECK(expected != all(parameters::number_of_free_iterations(5).convergence_threshold(1e-3).number_of_iterations(3)));

@@ -71,14 +71,14 @@ public:
    */
   const Point_3& operator()(std::size_t i, std::size_t j) const
   {
-    CGAL_precondition(i < m_height && j < m_width);
+    CGAL_precondition_msg(i < m_height && j < m_width, "The image has no such row or column.");
     return m_samples[i * m_width + j];
   }
 
 #ifndef DOXYGEN_RUNNING
   Point_3& operator()(std::size_t i, std::size_t j)
   {
-    CGAL_precondition(i < m_height && j < m_width);
+    CGAL_precondition_msg(i < m_height && j < m_width, "The image has no such row or column.");
     return m_samples[i * m_width + j];
   }
 #else
@@ -109,7 +109,7 @@ public:
    */
   Geometry_image downsampled(std::size_t step) const
   {
-    CGAL_precondition(step > 0);
+    CGAL_precondition_msg(step > 0, "The step must be positive.");
     step = (std::max)(std::size_t(1), (std::min)(step, (std::max)(m_width, m_height))); // no product overflows
     auto number_of_steps = [step](std::size_t size) { return size == 0 ? 0 : (size + step - 2) / step + 1; };
 

@@ -39,7 +39,7 @@ void geometry_image_to_polygon_mesh(const Geometry_image<Point_3>& image,
   const bool is_valid = image.width() == diagonals.width() && image.height() == diagonals.height() &&
                         internal::geometry_image::has_finite_samples(image) &&
                         internal::geometry_image::has_finite_samples(diagonals);
-  CGAL_precondition(is_valid);
+  CGAL_precondition_msg(is_valid, "The two images must have the same size and finite coordinates.");
   if(!is_valid)
     return;
 

@@ -112,12 +112,11 @@ public:
 
     const double gradation = to_double(choose_parameter(get_parameter(np, internal_np::gradation), 0.5));
     const Tolerated_error kind = choose_parameter(get_parameter(np, internal_np::tolerated_error), MEAN_ERROR);
-    CGAL_precondition(number_of_vertices > 0 && gradation > 0);
+    CGAL_precondition_msg(number_of_vertices > 0 && gradation > 0, "number_of_vertices and gradation must be positive.");
 
     Mesh_descriptors<PolygonMesh> descriptors;
     Mesh_arrays mesh;
-    CGAL_precondition_code(const bool is_read =) read_mesh(pmesh, m_state->vpm, mesh, descriptors);
-    CGAL_precondition(is_read);
+    read_mesh(pmesh, m_state->vpm, mesh, descriptors); // which checks its preconditions
     const std::vector<Vector> face_normals = compute_face_normals<Sequential_tag>(mesh);
     const std::vector<char> is_crease = find_creases<Sequential_tag>(mesh, descriptors, face_normals, np);
     const Vertex_means curvatures =

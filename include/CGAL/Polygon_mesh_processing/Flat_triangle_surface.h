@@ -68,6 +68,48 @@ public:
   {}
 
 #ifdef DOXYGEN_RUNNING
+  /// \name Types
+  /// @{
+
+  /// the points of `GeomTraits`
+  typedef unspecified_type Point_3;
+
+  /// the vectors of `GeomTraits`
+  typedef unspecified_type Vector_3;
+
+  /// where a point of the surface is: a face, and coordinates in it
+  typedef unspecified_type Foot;
+
+  /// @}
+
+  /// \name Operations
+  /// The functions of `ReferenceSurface`, and two more.
+  /// @{
+
+  /*!
+   * returns the foot of `query`: the point of the surface that is closest to it.
+   *
+   * \pre the surface is not empty
+   */
+  Foot project(const Point_3& query) const;
+
+  /*!
+   * returns the foot of `query` as above; the search begins at `hint`, the foot of a point nearby.
+   *
+   * \pre the surface is not empty
+   */
+  Foot project(const Point_3& query, const Foot& hint) const;
+
+  /*!
+   * returns the point of the surface that `foot` stands for.
+   */
+  Point_3 point(const Foot& foot) const;
+
+  /*!
+   * returns the normal of the surface there: a vector of length 1, or the null vector where the surface has no normal.
+   */
+  Vector_3 normal(const Foot& foot) const;
+
   /*!
    * returns whether the surface has no face. Nothing can then be projected to it.
    */
@@ -79,6 +121,8 @@ public:
    * of the foot.
    */
   Face_location<PolygonMesh, double> location(const Foot& foot) const;
+
+  /// @}
 #endif
 };
 

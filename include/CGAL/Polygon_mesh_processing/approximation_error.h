@@ -6,9 +6,11 @@
 #ifndef CGAL_POLYGON_MESH_PROCESSING_APPROXIMATION_ERROR_H
 #define CGAL_POLYGON_MESH_PROCESSING_APPROXIMATION_ERROR_H
 
+#include <CGAL/Polygon_mesh_processing/Flat_triangle_surface.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Attributes/attribute_maps.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Measure/measure_faces_of.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Measure/measure_normals.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/check_arguments.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/Face_selection.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/named_parameters.h>
 #include <CGAL/Polygon_mesh_processing/Vertex_location_optimization_report.h>
@@ -106,10 +108,8 @@ namespace Polygon_mesh_processing {
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * `face_error_map` and `vertex_error_map` come before the parameters of \cgal in a sequence.
- *
  * \param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters": those of the constructor of
- *            `PN_triangle_surface` if `reference` is a mesh; not used if it is a reference surface
+ *            `PN_triangle_surface` if `reference` is a mesh; a reference surface has them already
  *
  * \pre no face of `pmesh` or, if it is a mesh, of `reference` has less than three corners, or more and a vertex twice
  * \pre all coordinates are finite
@@ -139,7 +139,10 @@ Approximation_error approximation_error(const PolygonMesh& pmesh,
                                         const NamedParameters2& np2 = parameters::default_values())
 {
   using namespace internal::vertex_location;
-  return measure_faces_of<ConcurrencyTag>(pmesh, All_faces(), reference, np1, np2);
+  if constexpr(check_arguments<PolygonMesh, Reference, NamedParameters1, NamedParameters2>)
+    return measure_faces_of<ConcurrencyTag>(pmesh, All_faces(), reference, np1, np2);
+  else
+    return {};
 }
 
 /*!
@@ -185,7 +188,10 @@ Approximation_error approximation_error(const FaceRange& faces,
                                         const NamedParameters2& np2 = parameters::default_values())
 {
   using namespace internal::vertex_location;
-  return measure_faces_of<ConcurrencyTag>(pmesh, Face_selection<PolygonMesh>(faces, pmesh), reference, np1, np2);
+  if constexpr(check_arguments<PolygonMesh, Reference, NamedParameters1, NamedParameters2>)
+    return measure_faces_of<ConcurrencyTag>(pmesh, Face_selection<PolygonMesh>(faces, pmesh), reference, np1, np2);
+  else
+    return {};
 }
 
 /*!
@@ -218,7 +224,7 @@ Approximation_error approximation_error(const FaceRange& faces,
  * \param np1 an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`,
  *            `number_of_points_per_face`, and `number_of_points_per_area_unit`, as those of `approximation_error()`
  * \param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters": those of the constructor of
- *            `PN_triangle_surface` if `reference` is a mesh; not used if it is a reference surface
+ *            `PN_triangle_surface` if `reference` is a mesh; a reference surface has them already
  *
  * \pre no face of `pmesh` or, if it is a mesh, of `reference` has less than three corners, or more and a vertex twice
  * \pre all coordinates are finite
@@ -249,10 +255,13 @@ double normal_deviation(const PolygonMesh& pmesh,
                         const NamedParameters2& np2 = parameters::default_values())
 {
   using namespace internal::vertex_location;
-  return measure_normals<ConcurrencyTag>(pmesh, reference, np1, np2, [&](const auto& mesh, const auto& descriptors) {
-    return read_corner_values<Vector>(pmesh, mesh, descriptors, normal_map,
-                                      [](const auto& normal) { return convert<Vector>(normal); });
-  });
+  if constexpr(check_arguments<PolygonMesh, Reference, NamedParameters1, NamedParameters2>)
+    return measure_normals<ConcurrencyTag>(pmesh, reference, np1, np2, [&](const auto& mesh, const auto& descriptors) {
+      return read_corner_values<Vector>(pmesh, mesh, descriptors, normal_map,
+                                        [](const auto& normal) { return convert<Vector>(normal); });
+    });
+  else
+    return {};
 }
 
 /*!
@@ -278,8 +287,12 @@ double normal_deviation(const PolygonMesh& pmesh,
                         const NamedParameters2& np2 = parameters::default_values())
 {
   using namespace internal::vertex_location;
-  return measure_normals<ConcurrencyTag>(
-    pmesh, reference, np1, np2, [](const auto& mesh, const auto&) { return face_normals_at_corners<ConcurrencyTag>(mesh); });
+  if constexpr(check_arguments<PolygonMesh, Reference, NamedParameters1, NamedParameters2>)
+    return measure_normals<ConcurrencyTag>(pmesh, reference, np1, np2, [](const auto& mesh, const auto&) {
+      return face_normals_at_corners<ConcurrencyTag>(mesh);
+    });
+  else
+    return {};
 }
 
 } // namespace Polygon_mesh_processing

@@ -10,6 +10,7 @@
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Attributes/measure_attribute.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Attributes/read_signal.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Attributes/with_described_reference.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/check_arguments.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/named_parameters.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/read_parameters.h>
 
@@ -80,7 +81,7 @@ namespace Polygon_mesh_processing {
  * \cgalNamedParamsEnd
  *
  * \param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters": those of the constructor of
- *            `PN_triangle_surface` if `reference` is a mesh; not used if it is a reference surface
+ *            `PN_triangle_surface` if `reference` is a mesh; a reference surface has them already
  *
  * \pre no face of `pmesh` or, if it is a mesh, of `reference` has less than three corners, or more and a vertex twice
  * \pre all coordinates are finite
@@ -109,6 +110,7 @@ Approximation_error attribute_error(const PolygonMesh& pmesh,
                                     const NamedParameters2& np2 = parameters::default_values())
 {
   using namespace internal::vertex_location;
+  static_assert(check_arguments<PolygonMesh, Reference, NamedParameters1, NamedParameters2>, "The errors above say why.");
   using parameters::choose_parameter;
   using parameters::get_parameter;
 

@@ -49,7 +49,7 @@ namespace Polygon_mesh_processing {
  *            `relax_constraints` (which are the borders of an open image), `do_self_intersection_tests`, and `visitor`
  *
  * \param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters": those of the constructor of
- *            `PN_triangle_surface` if `reference` is a mesh; not used if it is a reference surface
+ *            `PN_triangle_surface` if `reference` is a mesh; a reference surface has them already
  *
  * \pre all coordinates are finite; and those of `optimize_vertex_locations()`
  *
@@ -74,7 +74,7 @@ Vertex_location_optimization_report optimize_geometry_image(Geometry_image<Point
   using Vertex_index = typename Mesh::Vertex_index;
 
   const bool is_valid = has_finite_samples(image);
-  CGAL_precondition(is_valid);
+  CGAL_precondition_msg(is_valid, "A coordinate of the image is not finite.");
   if(!is_valid)
     return {};
 

@@ -13,6 +13,7 @@
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Attributes/Map_signal.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Attributes/read_signal.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Attributes/with_described_reference.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/check_arguments.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/named_parameters.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/read_parameters.h>
 
@@ -98,7 +99,6 @@ namespace Polygon_mesh_processing {
  *                           as near an edge in a picture.}
  *     \cgalParamType{Boolean}
  *     \cgalParamDefault{`true`}
- *     \cgalParamExtra{It comes before the parameters of \cgal in a sequence.}
  *   \cgalParamNEnd
  *
  *   \cgalParamNBegin{vertex_point_map}
@@ -118,7 +118,7 @@ namespace Polygon_mesh_processing {
  * \cgalNamedParamsEnd
  *
  * \param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters": those of the constructor of
- *            `PN_triangle_surface` if `reference` is a mesh; not used if it is a reference surface
+ *            `PN_triangle_surface` if `reference` is a mesh; a reference surface has them already
  *
  * \pre no face of `pmesh` or, if it is a mesh, of `reference` has less than three corners, or more and a vertex twice
  * \pre all coordinates are finite
@@ -148,6 +148,7 @@ void optimize_vertex_attributes(const PolygonMesh& pmesh,
                                 const NamedParameters2& np2 = parameters::default_values())
 {
   using namespace internal::vertex_location;
+  static_assert(check_arguments<PolygonMesh, Reference, NamedParameters1, NamedParameters2>, "The errors above say why.");
   using parameters::choose_parameter;
   using parameters::get_parameter;
 

@@ -7,6 +7,7 @@
 #define CGAL_POLYGON_MESH_PROCESSING_OPTIMIZE_VERTEX_LOCATIONS_H
 
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/optimize_faces.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/check_arguments.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/named_parameters.h>
 #include <CGAL/Polygon_mesh_processing/Placement_method.h>
 #include <CGAL/Polygon_mesh_processing/Vertex_location_optimization_report.h>
@@ -204,7 +205,7 @@ namespace Polygon_mesh_processing {
  * \cgalNamedParamsEnd
  *
  * \param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters": those of the constructor of
- *            `PN_triangle_surface` if `reference` is a mesh; not used if it is a reference surface
+ *            `PN_triangle_surface` if `reference` is a mesh; a reference surface has them already
  *
  * \pre no face of `pmesh` or, if it is a mesh, of `reference` has less than three corners, or more and a vertex twice
  * \pre all coordinates are finite
@@ -233,7 +234,10 @@ Vertex_location_optimization_report optimize_vertex_locations(PolygonMesh& pmesh
                                                               const NamedParameters2& np2 = parameters::default_values())
 {
   using namespace internal::vertex_location;
-  return optimize_faces<ConcurrencyTag>(pmesh, All_faces(), reference, np1, np2);
+  if constexpr(check_arguments<PolygonMesh, Reference, NamedParameters1, NamedParameters2>)
+    return optimize_faces<ConcurrencyTag>(pmesh, All_faces(), reference, np1, np2);
+  else
+    return {};
 }
 
 /*!
@@ -287,7 +291,10 @@ Vertex_location_optimization_report optimize_vertex_locations(const FaceRange& f
                                                               const NamedParameters2& np2 = parameters::default_values())
 {
   using namespace internal::vertex_location;
-  return optimize_faces<ConcurrencyTag>(pmesh, Face_selection<PolygonMesh>(faces, pmesh), reference, np1, np2);
+  if constexpr(check_arguments<PolygonMesh, Reference, NamedParameters1, NamedParameters2>)
+    return optimize_faces<ConcurrencyTag>(pmesh, Face_selection<PolygonMesh>(faces, pmesh), reference, np1, np2);
+  else
+    return {};
 }
 
 } // namespace Polygon_mesh_processing

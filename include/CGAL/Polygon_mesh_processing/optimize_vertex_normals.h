@@ -10,6 +10,7 @@
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Attributes/fit_signal.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Attributes/Normal_signal.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/with_reference_surface.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/check_arguments.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/named_parameters.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/read_mesh.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/read_parameters.h>
@@ -82,7 +83,7 @@ namespace Polygon_mesh_processing {
  * \cgalNamedParamsEnd
  *
  * \param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters": those of the constructor of
- *            `PN_triangle_surface` if `reference` is a mesh; not used if it is a reference surface
+ *            `PN_triangle_surface` if `reference` is a mesh; a reference surface has them already
  *
  * \pre no face of `pmesh` or, if it is a mesh, of `reference` has less than three corners, or more and a vertex twice
  * \pre all coordinates are finite
@@ -108,6 +109,7 @@ void optimize_vertex_normals(const PolygonMesh& pmesh,
                              const NamedParameters2& np2 = parameters::default_values())
 {
   using namespace internal::vertex_location;
+  static_assert(check_arguments<PolygonMesh, Reference, NamedParameters1, NamedParameters2>, "The errors above say why.");
   using Normal = typename boost::property_traits<NormalMap>::value_type;
 
   Mesh_arrays mesh;

@@ -7,6 +7,7 @@
 #define CGAL_POLYGON_MESH_PROCESSING_REMESH_WITHIN_TOLERANCE_H
 
 #include <CGAL/Polygon_mesh_processing/Flat_triangle_surface.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/check_arguments.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/named_parameters.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/read_mesh.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/read_parameters.h>
@@ -165,6 +166,9 @@ Tolerance_report remesh_within_tolerance(const TriangleMesh& input,
                                          const NamedParameters2& np2 = parameters::default_values())
 {
   using namespace internal::vertex_location;
+  static_assert(Mesh_check<TriangleMesh, NamedParameters1>::value && First_sequence_check<NamedParameters1>::value &&
+                  Second_sequence_check<NamedParameters2>::value,
+                "The errors above say why.");
   using parameters::choose_parameter;
   using parameters::get_parameter;
   using parameters::is_default_parameter;
@@ -172,14 +176,16 @@ Tolerance_report remesh_within_tolerance(const TriangleMesh& input,
   const Search_limits limits = read_search_limits(np1);
   const bool is_valid = tolerance > 0 && std::isfinite(tolerance) && limits.edge_length_precision > 0 &&
                         std::isfinite(limits.edge_length_precision) && is_triangle_mesh(input);
-  CGAL_precondition(is_valid);
+  CGAL_precondition_msg(is_valid,
+                        "The tolerance and edge_length_precision must be positive and finite, and the input must be "
+                        "a triangle mesh.");
   Mesh_arrays arrays;
   Mesh_descriptors<TriangleMesh> descriptors;
   if(!is_valid || !read_mesh(input, get(vertex_point, input), arrays, descriptors))
     return {};
   const Mesh_extent extent(arrays);
   const bool has_extent = arrays.number_of_faces() > 0 && extent.longest_side > 0;
-  CGAL_precondition(has_extent);
+  CGAL_precondition_msg(has_extent, "The input has no face, or all its points are the same.");
   if(!has_extent)
     return {};
 

@@ -21,7 +21,7 @@ int main()
   CGAL::Surface_mesh<Point> mesh;
   CGAL::make_icosahedron(mesh, Point(0, 0, 0), 1.);
   const auto reference = mesh;
-  const auto report =
-    CGAL::Polygon_mesh_processing::optimize_vertex_locations<CGAL::Parallel_if_available_tag>(mesh, reference);
+  const auto report = CGAL::Polygon_mesh_processing::optimize_vertex_locations<CGAL::Parallel_if_available_tag>(
+    mesh, reference, CGAL::parameters::number_of_iterations(20).number_of_free_iterations(10)); // in any order
   return report.iterations > 0 ? 0 : 1;
 }

@@ -17,7 +17,9 @@
 
 #include <CGAL/assertions.h>
 
+#include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
@@ -62,6 +64,17 @@ void write_points(const Remesh& remesh, const Mesh_descriptors<PolygonMesh>& des
   }
 }
 
+template <typename Visitor, typename = void>
+struct Is_visitor : std::false_type
+{};
+
+template <typename Visitor>
+struct Is_visitor<Visitor,
+                  std::void_t<decltype(std::declval<Visitor&>().start_phase(Vertex_location_optimization_phase())),
+                              decltype(std::declval<Visitor&>().end_iteration(Vertex_location_optimization_report())),
+                              decltype(bool(std::declval<Visitor&>().go_further()))>> : std::true_type
+{};
+
 // What `optimize_vertex_locations()` does, with the selected faces.
 template <typename ConcurrencyTag,
           typename PolygonMesh,
@@ -80,10 +93,11 @@ Vertex_location_optimization_report optimize_faces(PolygonMesh& pmesh,
 
   auto vpm = read_vertex_point_map(pmesh, np1);
   using Point_3 = typename boost::property_traits<decltype(vpm)>::value_type;
+  using vertex_descriptor = typename boost::graph_traits<PolygonMesh>::vertex_descriptor;
 
   Optimization_options options = read_options(np1);
   const bool has_valid_options = options.convergence_threshold >= 0 && options.regularity_weight.value_or(0) >= 0;
-  CGAL_precondition(has_valid_options);
+  CGAL_precondition_msg(has_valid_options, "convergence_threshold and regularity_weight must not be negative.");
   if(!has_valid_options)
     return {};
 
@@ -99,6 +113,8 @@ Vertex_location_optimization_report optimize_faces(PolygonMesh& pmesh,
   read_surroundings(pmesh, vpm, selection, options, remesh);
 
   auto is_allowed = choose_parameter(get_parameter(np1, internal_np::allow_move_functor), Allow_all_moves());
+  static_assert(std::is_invocable_r<bool, decltype(is_allowed)&, vertex_descriptor, Point_3, Point_3>::value,
+                "allow_move_functor must be callable as bool(vertex_descriptor v, Point_3 source, Point_3 target).");
   const auto allow_move = [&](std::size_t i, const Point& source, const Point& target) {
     return is_allowed(descriptors.vertices[i], convert<Point_3>(source), convert<Point_3>(target));
   };
@@ -107,6 +123,10 @@ Vertex_location_optimization_report optimize_faces(PolygonMesh& pmesh,
   auto visitor_or_reference =
     choose_parameter(get_parameter(np1, internal_np::visitor), Vertex_location_optimization_default_visitor());
   auto& visitor = unwrap_reference(visitor_or_reference);
+  static_assert(Is_visitor<std::remove_reference_t<decltype(visitor)>>::value,
+                "The visitor must be a model of VertexLocationOptimizationVisitor, with start_phase(phase), "
+                "end_iteration(report) and bool go_further(). It may derive from the default visitor; a const one cannot "
+                "be told anything.");
 
   const auto report =
     with_reference<ConcurrencyTag>(remesh, reference, np2, Vertex_location_optimization_report(), [&](const auto& surface) {

@@ -21,7 +21,7 @@ Result with_described_reference(
 {
   const auto unless_empty = [&](const auto& patches, const auto& descriptors) -> Result {
     const bool has_reference = !patches.is_empty() || mesh.points.empty();
-    CGAL_precondition(has_reference);
+    CGAL_precondition_msg(has_reference, "The reference has no face.");
     return has_reference ? f(patches, descriptors) : otherwise;
   };
   if constexpr(Is_reference_surface<Reference>::value)

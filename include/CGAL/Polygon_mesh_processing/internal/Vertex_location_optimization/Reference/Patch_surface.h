@@ -8,6 +8,7 @@
 
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/make_reference_patches.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/Patch_descriptors.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/check_arguments.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/properties.h>
@@ -44,7 +45,7 @@ public:
 
   Foot project(const Point_3& query, const Foot& hint) const
   {
-    CGAL_precondition(!is_empty());
+    CGAL_precondition_msg(!is_empty(), "The surface has no face to project to.");
     return m_patches.project(convert<Point>(query), hint);
   }
 
@@ -65,7 +66,10 @@ protected:
   template <typename NamedParameters, typename ConcurrencyTag>
   Patch_surface(const TriangleMesh& tmesh, const NamedParameters& np, const ConcurrencyTag&)
     : m_patches(make_reference_patches<Patch, ConcurrencyTag>(tmesh, np, &m_descriptors))
-  {}
+  {
+    static_assert(Mesh_check<TriangleMesh, NamedParameters>::value && Second_sequence_check<NamedParameters>::value,
+                  "The errors above say why.");
+  }
 
 private:
   Patch_descriptors<TriangleMesh> m_descriptors;

@@ -58,9 +58,7 @@ bool read_reference_mesh(const PolygonMesh& pmesh,
 {
   if(is_triangle_mesh(pmesh))
     return read_mesh(pmesh, vpm, mesh, descriptors);
-  const bool is_valid = has_finite_points(pmesh, vpm) && has_valid_faces(pmesh);
-  CGAL_precondition(is_valid);
-  if(!is_valid)
+  if(!can_be_read(pmesh, vpm))
     return false;
   const Triangulated_copy<PolygonMesh> copy(pmesh, vpm);
   Mesh_descriptors<typename Triangulated_copy<PolygonMesh>::Mesh> in_copy;

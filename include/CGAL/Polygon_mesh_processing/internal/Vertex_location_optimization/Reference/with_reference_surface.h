@@ -7,23 +7,13 @@
 #define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_WITH_REFERENCE_SURFACE_H
 
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/Reference_access.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/check_arguments.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/Mesh_arrays.h>
 #include <CGAL/Polygon_mesh_processing/PN_triangle_surface.h>
 
 #include <CGAL/assertions.h>
 
-#include <type_traits>
-
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
-
-// A model of `ReferenceSurface` has a type `Foot`, a model of `FaceGraph` has none.
-template <typename Reference, typename = void>
-struct Is_reference_surface : std::false_type
-{};
-
-template <typename Reference>
-struct Is_reference_surface<Reference, std::void_t<typename Reference::Foot>> : std::true_type
-{};
 
 // The reference surface of a mesh where the user has not chosen one: PN triangles, flat ones if the mesh is not recognizably
 // smooth.
@@ -65,7 +55,7 @@ Result with_reference(
   return with_reference_surface<ConcurrencyTag>(reference, np, [&](const auto& surface) -> Result {
     const auto& access = access_reference(surface);
     const bool has_reference = !access.is_empty() || mesh.points.empty();
-    CGAL_precondition(has_reference);
+    CGAL_precondition_msg(has_reference, "The reference has no face.");
     return has_reference ? f(access) : otherwise;
   });
 }

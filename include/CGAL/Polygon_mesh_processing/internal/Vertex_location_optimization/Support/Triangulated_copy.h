@@ -6,14 +6,16 @@
 #ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_TRIANGULATED_COPY_H
 #define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_TRIANGULATED_COPY_H
 
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/find_diagonals.h>
+
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <iterator>
 #include <utility>
 #include <vector>
@@ -48,28 +50,13 @@ struct Triangulated_copy
       faces[copy] = f;
 
     begin_at_smallest_vertices();
-    triangulate_faces(mesh, parameters::visitor(Visitor(faces)));
-    cut_off_triangles();
+    const std::vector<Mesh::Face_index> polygons(mesh.faces().begin(), mesh.faces().end());
+    for(const Mesh::Face_index f : polygons)
+      if(!is_triangle(mesh.halfedge(f), mesh))
+        triangulate(f);
   }
 
 private:
-  // keeps track of the faces
-  struct Visitor : Triangulate_faces::Default_visitor<Mesh>
-  {
-    explicit Visitor(std::vector<typename Graph_traits::face_descriptor>& f) : faces(&f) {}
-
-    void before_subface_creations(Mesh::Face_index f) { current = (*faces)[f]; }
-    void after_subface_creations() {}
-    void after_subface_created(Mesh::Face_index f)
-    {
-      faces->resize((std::max)(faces->size(), static_cast<std::size_t>(f) + 1));
-      (*faces)[f] = current;
-    }
-
-    std::vector<typename Graph_traits::face_descriptor>* faces;
-    typename Graph_traits::face_descriptor current{};
-  };
-
   // Where two triangulations are equally good the first corner decides: it is not that of the mesh.
   void begin_at_smallest_vertices()
   {
@@ -81,21 +68,50 @@ private:
     }
   }
 
-  // Makes triangles of what has no plane to be triangulated in, one after the other.
-  void cut_off_triangles()
+  void triangulate(const Mesh::Face_index f)
   {
-    Visitor visitor(faces);
-    const std::vector<Mesh::Face_index> all(mesh.faces().begin(), mesh.faces().end());
-    for(const Mesh::Face_index f : all)
+    const auto around = halfedges_around_face(mesh.halfedge(f), mesh);
+    const std::vector<Mesh::Halfedge_index> corners(around.begin(), around.end());
+    std::vector<Point> points;
+    for(const Mesh::Halfedge_index h : corners)
     {
-      visitor.before_subface_creations(f);
-      const Mesh::Halfedge_index h = mesh.halfedge(f);
-      while(!is_triangle(h, mesh))
+      const auto& p = mesh.point(mesh.target(h));
+      points.emplace_back(p.x(), p.y(), p.z());
+    }
+    std::vector<Mesh::Face_index> pieces{ f };
+    for(const Diagonal& diagonal : find_diagonals(points))
+      split(mesh.target(corners[diagonal[0]]), mesh.target(corners[diagonal[1]]), pieces);
+    // what has no plane to be triangulated in
+    for(std::size_t i = 0; i < pieces.size(); ++i)
+      while(!is_triangle(mesh.halfedge(pieces[i]), mesh))
       {
-        const Mesh::Halfedge_index diagonal = Euler::split_face(h, mesh.next(mesh.next(h)), mesh);
-        visitor.after_subface_created(mesh.face(mesh.opposite(diagonal)));
-        visitor.after_subface_created(mesh.face(diagonal));
+        const Mesh::Halfedge_index h = mesh.halfedge(pieces[i]);
+        split(mesh.target(h), mesh.target(mesh.next(mesh.next(h))), pieces);
       }
+    const auto original = faces[f];
+    for(const Mesh::Face_index piece : pieces)
+    {
+      faces.resize((std::max)(faces.size(), static_cast<std::size_t>(piece) + 1));
+      faces[piece] = original;
+    }
+  }
+
+  // Splits the piece of a polygon that has these two vertices.
+  void split(const Mesh::Vertex_index v, const Mesh::Vertex_index w, std::vector<Mesh::Face_index>& pieces)
+  {
+    for(const Mesh::Face_index piece : pieces)
+    {
+      const auto around = halfedges_around_face(mesh.halfedge(piece), mesh);
+      const auto to = [&](const Mesh::Vertex_index end) {
+        return std::find_if(around.begin(), around.end(), [&](const auto h) { return mesh.target(h) == end; });
+      };
+      const auto to_v = to(v), to_w = to(w);
+      if(to_v == around.end() || to_w == around.end())
+        continue;
+      const Mesh::Halfedge_index diagonal = Euler::split_face(*to_v, *to_w, mesh);
+      const Mesh::Face_index other = mesh.face(diagonal) == piece ? mesh.face(mesh.opposite(diagonal)) : mesh.face(diagonal);
+      pieces.push_back(other);
+      return;
     }
   }
 };

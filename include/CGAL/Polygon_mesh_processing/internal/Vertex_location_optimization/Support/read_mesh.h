@@ -67,6 +67,18 @@ bool has_valid_faces(const PolygonMesh& pmesh)
   return true;
 }
 
+// Whether all coordinates are finite and all faces valid.
+template <typename PolygonMesh, typename VertexPointMap>
+bool can_be_read(const PolygonMesh& pmesh, const VertexPointMap& vpm)
+{
+  const bool is_finite = has_finite_points(pmesh, vpm);
+  CGAL_precondition_msg(is_finite, "A coordinate of the mesh is not finite.");
+  const bool has_only_valid_faces = has_valid_faces(pmesh);
+  CGAL_precondition_msg(has_only_valid_faces,
+                        "A face of the mesh has less than three corners, or more than three and a vertex twice.");
+  return is_finite && has_only_valid_faces;
+}
+
 // Copies the vertices along a space-filling curve, and numbers them.
 template <typename PolygonMesh, typename VertexPointMap, typename Selection, typename VertexIndexMap>
 void copy_vertices(const PolygonMesh& pmesh,
@@ -105,15 +117,13 @@ bool read_faces(const PolygonMesh& pmesh,
                 Mesh_arrays& mesh,
                 Mesh_descriptors<PolygonMesh>& descriptors)
 {
-  bool is_valid = has_finite_points(pmesh, vpm) && has_valid_faces(pmesh);
-  if(is_valid)
-  {
-    auto vertex_index = get(dynamic_vertex_property_t<Index>(), pmesh);
-    copy_vertices(pmesh, vpm, selection, vertex_index, mesh, descriptors);
-    is_valid = Face_reader(pmesh, selection, vertex_index, mesh, descriptors).read();
-  }
-  CGAL_precondition(is_valid);
-  return is_valid;
+  if(!can_be_read(pmesh, vpm))
+    return false;
+  auto vertex_index = get(dynamic_vertex_property_t<Index>(), pmesh);
+  copy_vertices(pmesh, vpm, selection, vertex_index, mesh, descriptors);
+  const bool is_read = Face_reader(pmesh, selection, vertex_index, mesh, descriptors).read();
+  CGAL_precondition_msg(is_read, "The mesh has more edges or triangles than indices of 32 bits tell apart.");
+  return is_read;
 }
 
 // Reads `pmesh`, all of it.

@@ -121,6 +121,9 @@ private:
       remesh(m_mesh, edge_length, mark_kept_edges());
     else
     {
+      static_assert(
+        std::is_invocable<const Remesh&, TriangleMesh&, double>::value,
+        "The remesher must be callable as remesh(mesh, edge_length), and may take maps of the edges and vertices.");
       remesh(m_mesh, edge_length);
       m_is_constrained.emplace(get(dynamic_edge_property_t<bool>(), m_mesh));
       for(auto e : edges(m_mesh))

@@ -10,6 +10,7 @@
 #include <CGAL/IO/Color.h>
 #include <CGAL/IO/io.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh/IO/OFF.h>
 #include <CGAL/Surface_mesh/IO/PLY.h>
 
 #include <algorithm>
@@ -53,12 +54,21 @@ inline CGAL::IO::Color color_of(double value)
   return CGAL::IO::Color(channel(0), channel(1), channel(2));
 }
 
-// in the format that the extension of the name says
+// in the format that the extension of the name says: .off, .obj, .ply, or .stl
 template <typename Point>
 void write_mesh(const std::string& name, const CGAL::Surface_mesh<Point>& mesh)
 {
+  const std::string extension = std::filesystem::path(name).extension().string();
   write_file(name, [&](const std::string& partial) {
-    return CGAL::IO::write_polygon_mesh(partial, mesh, CGAL::parameters::stream_precision(17));
+    // not by the name: what a full disk does to the end of the file would not be noticed
+    std::ofstream out(partial, std::ios::binary);
+    const auto np = CGAL::parameters::stream_precision(17);
+    if(extension == ".obj")
+      return CGAL::IO::write_OBJ(out, mesh, np) && out.flush();
+    if(extension == ".off")
+      return CGAL::IO::write_OFF(out, mesh, np) && out.flush();
+    CGAL::IO::set_binary_mode(out);
+    return (extension == ".stl" ? CGAL::IO::write_STL(out, mesh) : CGAL::IO::write_PLY(out, mesh)) && out.flush();
   });
 }
 

@@ -6,6 +6,7 @@
 // Remeshes a surface, optimizes the locations of the vertices, and tells and shows what it gained.
 
 #include "mesh_attributes.h"
+#include "mesh_input.h"
 #include "mesh_output.h"
 #include "optimize_remesh_report.h"
 #include "optimize_remesh_settings.h"
@@ -16,7 +17,6 @@
 #include <CGAL/Polygon_mesh_processing/approximation_error.h>
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Polygon_mesh_processing/Flat_triangle_surface.h>
-#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Polygon_mesh_processing/optimize_vertex_locations.h>
 #include <CGAL/Polygon_mesh_processing/PN_triangle_surface.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
@@ -44,24 +44,6 @@ using Crease_map = Mesh::Property_map<Mesh::Edge_index, bool>;
 using Error_map = Mesh::Property_map<Mesh::Vertex_index, double>;
 
 namespace PMP = CGAL::Polygon_mesh_processing;
-
-Mesh read_mesh(const std::string& name, const bool may_have_polygons)
-{
-  auto require = [&](bool condition, const std::string& message) {
-    if(!condition)
-      throw std::runtime_error(name + ": " + message);
-  };
-  require(std::filesystem::is_regular_file(name), "there is no such file");
-  Mesh mesh;
-  // what must be repaired loses its attributes
-  require(read_mesh_with_attributes(name, mesh) || PMP::IO::read_polygon_mesh(name, mesh),
-          "it is unreadable or no manifold mesh");
-  require(mesh.number_of_faces() > 0, "it has no face");
-  require(may_have_polygons || CGAL::is_triangle_mesh(mesh), "its faces are not all triangles");
-  for(const Point& p : mesh.points())
-    require(std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z()), "a coordinate is not finite");
-  return mesh;
-}
 
 // how far a mesh and the input are from each other
 struct Distances
@@ -251,7 +233,7 @@ void remesh(const Settings& s, Crease_map is_crease, Mesh& mesh)
 template <typename Concurrency>
 bool run(const Settings& s)
 {
-  Mesh input = read_mesh(s.input, false);
+  Mesh input = read_triangle_mesh<Point>(s.input, s.is_triangulated);
   const double side = longest_side(input);
   if(!(side > 0))
     throw std::runtime_error(s.input + ": all its points are the same");
@@ -261,7 +243,7 @@ bool run(const Settings& s)
 
   CGAL::Real_timer timer;
   timer.start();
-  Mesh mesh = s.remesh.empty() ? input : read_mesh(s.remesh, true);
+  Mesh mesh = s.remesh.empty() ? input : read_mesh<Point>(s.remesh);
   const Crease_map is_crease = mark_creases(mesh, s.crease_angle);
   if(s.remesh.empty())
     remesh(s, is_crease, mesh);

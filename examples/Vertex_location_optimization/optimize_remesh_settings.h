@@ -48,6 +48,7 @@ struct Settings
   bool relax_constraints = false;
   bool test_self_intersections = false;
   bool is_measured = false; // densely, in both directions
+  bool is_triangulated = false;
   bool is_sequential = false;
   double largest_color = 0; // 0: three times the mean error of the remesh
 };
@@ -80,6 +81,7 @@ inline boost::program_options::options_description describe_options(Settings& s)
     ("tolerated-error", po::value<std::string>()->default_value("max"), "what --tolerance is for: max, mean or rms")
     ("remesh,r", po::value(&s.remesh),
      "take this remesh, with faces of any number of corners, instead of remeshing the input")
+    ("triangulate", po::bool_switch(&s.is_triangulated), "make triangles of the faces of the input")
     ("simplify", po::value<int>()->notifier([&s](int n) { s.simplify = n; }),
      "instead of remeshing the input, simplify it by edge_collapse() to about so many vertices")
     ("remeshing-iterations", po::value(&s.remeshing_iterations)->default_value(s.remeshing_iterations),

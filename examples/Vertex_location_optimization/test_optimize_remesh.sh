@@ -17,12 +17,21 @@ fail()
   failures=$((failures + 1))
 }
 
+# check_refused [--says PATTERN] ARGUMENT...
 check_refused()
 {
+  local pattern=.
+  if [ "${1:-}" = --says ]; then
+    pattern=$2
+    shift 2
+  fi
   if "$program" "$@" -o out_ > stdout 2> stderr; then
     fail "accepted: $*"
   elif [ "$(wc -l < stderr)" != 1 ]; then
     fail "no single line: $*"
+    cat stderr
+  elif ! grep -q -- "$pattern" stderr; then
+    fail "$* does not say: $pattern"
     cat stderr
   elif compgen -G 'out_*' > written; then
     fail "left files: $*"
@@ -40,12 +49,28 @@ printf 'OFF\n3 1 0\n0 0 0\n1 0 0\nnan 1 0\n3 0 1 2\n' > nan.off
 printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n1e999 1 0\n3 0 1 2\n' > infinite.off
 printf 'OFF\n300 1 0\n0 0 0\n1 0 0\n' > truncated.off
 
-for file in missing.off . empty.off garbage.off quadrangle.off points.off one_point.off nan.off infinite.off truncated.off
-do
-  check_refused "$file"
+printf 'OFF BINARY\n\0\0\0\003\0\0\0\001\0\0\0\0' > binary.off
+cp triangle.off triangle.xyz
+printf 'v 0 0 0\nv 1 0 0\nv nan 1 0\nf 1 2 3\n' > nan.obj
+printf 'OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 1 3\n' > fewer_faces.off
+
+check_refused --says 'there is no such file' missing.off
+check_refused --says 'it is no file' .
+check_refused --says 'its extension is none of' triangle.xyz
+check_refused --says 'it is empty' empty.off
+check_refused --says 'it does not begin with OFF' garbage.off
+check_refused --says 'a binary OFF file' binary.off
+check_refused --says 'not all triangles; --triangulate makes' quadrangle.off
+check_refused --says 'it has no face' points.off
+check_refused --says 'all its points are the same' one_point.off
+for file in nan.off infinite.off nan.obj; do
+  check_refused --says 'a coordinate is not finite' $file
+done
+for file in truncated.off fewer_faces.off; do
+  check_refused --says 'it is truncated' $file
 done
 check_refused
-check_refused triangle.off --remesh garbage.off
+check_refused --says 'garbage.off: it does not begin' triangle.off --remesh garbage.off
 check_refused triangle.off --edge-length 0
 check_refused triangle.off --edge-length -1
 check_refused triangle.off --edge-length much
@@ -80,6 +105,22 @@ done
 grep -q '^4 ' quads_optimized.off || fail "no quads"
 "$program" triangle.off --edge-length 0.3 --least-squares --regularity-weight 0.2 -o least_squares_ > stdout 2> stderr ||
   fail "least squares"
+
+"$program" quadrangle.off --triangulate --edge-length 0.3 -o triangulated_ > stdout 2> stderr || fail "--triangulate"
+grep -q '^4 ' triangulated_remesh.off && fail "quads are left"
+
+# three faces at an edge: two vertices are copies of its ends
+printf 'OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 -1 0\n3 0 1 2\n3 1 0 3\n3 0 1 4\n' > three_at_edge.off
+"$program" three_at_edge.off --edge-length 0.3 -o copies_ > stdout 2> stderr || fail "a mesh that is not manifold"
+grep -q 'vertices were duplicated to make the mesh manifold' stdout || fail "it does not say that vertices were duplicated"
+
+# a disk that is full leaves what was there: here it is a limit on the size of a file, in blocks of 1 KB
+cp good_optimized.off before.off
+if (ulimit -f 4 && trap '' XFSZ && exec "$program" triangle.off --edge-length 0.05 -o good_ > stdout 2> stderr); then
+  fail "a full disk is not noticed"
+fi
+grep -q 'cannot be written' stderr || fail "a full disk: $(cat stderr)"
+cmp -s before.off good_optimized.off || fail "a full disk changed a file"
 
 grep -q 'measured densely' stdout && fail "it measures without being asked"
 "$program" least_squares_remesh.off --simplify 6 --measure --relaxation-steps 2 -o simple_ > stdout 2> stderr ||

@@ -9,6 +9,13 @@
 #include "test_images.h"
 
 #include <CGAL/Geometry_image.h>
+#include <CGAL/Simple_cartesian.h>
+
+#ifdef __unix__
+#include <sys/resource.h>
+
+#include <csignal>
+#endif
 
 #include <cmath>
 #include <cstdint>
@@ -264,6 +271,29 @@ void test_bad_files(const Directory& directory)
   CHECK(!fs::exists(directory.file("image.off")));
 }
 
+#ifdef __unix__
+void test_full_disk(const Directory& directory)
+{
+  start_topic("A disk that is full leaves what was there");
+  using Image = CGAL::Geometry_image<CGAL::Simple_cartesian<double>::Point_3>;
+  const std::string name = directory.file("full.gim");
+  CHECK(CGAL::IO::write_geometry_image(name, Image(2, 3)));
+  const std::string before = read_bytes(name);
+  rlimit no_limit;
+  getrlimit(RLIMIT_FSIZE, &no_limit);
+  std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit limit{ 4096, no_limit.rlim_max };
+  setrlimit(RLIMIT_FSIZE, &limit);
+  const bool is_written = CGAL::IO::write_geometry_image(name, Image(100, 100));
+  setrlimit(RLIMIT_FSIZE, &no_limit);
+  CHECK(!is_written);
+  CHECK(read_bytes(name) == before);
+  CHECK(!fs::exists(name + ".partial"));
+  CHECK(CGAL::IO::write_geometry_image(name, Image(100, 100)));
+  CHECK_EQUAL(fs::file_size(name), 8u + 12 * 100 * 100);
+}
+#endif
+
 int main()
 {
   const Directory directory;
@@ -271,5 +301,8 @@ int main()
   test_bad_sizes(directory);
   test_bad_contents(directory);
   test_bad_files(directory);
+#ifdef __unix__
+  test_full_disk(directory);
+#endif
   return test_result();
 }

@@ -17,10 +17,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <exception>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <utility>
 
 namespace CGAL {
@@ -53,6 +55,40 @@ inline Raster_format format_of_file(const std::string& fname)
   if(extension == "pfm")
     return Raster_format::PFM;
   throw std::runtime_error("its extension is neither .gim nor .pfm");
+}
+
+// Writes a file with `write(os)`. It appears when it is complete: it is written beside its place and then moved there, so that
+// a file that is there already stays as it is if the disk is full. What is no file, such as a pipe, is written to directly.
+template <typename Write>
+void write_or_keep(const std::string& fname, const Write& write)
+{
+  namespace fs = std::filesystem;
+  const fs::path path = fs::exists(fname) ? fs::canonical(fname) : fs::path(fname); // not a link, but what it refers to
+  const bool is_new = !fs::exists(path);
+  if(!is_new && !std::ofstream(path, std::ios::binary | std::ios::app))
+    throw std::runtime_error("it cannot be opened");
+  fs::path partial = path;
+  if(is_new || fs::is_regular_file(path))
+    partial += ".partial";
+  std::ofstream os(partial, std::ios::binary);
+  if(!os)
+    throw std::runtime_error("it cannot be opened");
+  if(partial == path)
+    return write(os);
+  try
+  {
+    write(os);
+    os.close();
+    if(!is_new)
+      fs::permissions(partial, fs::status(path).permissions());
+    fs::rename(partial, path);
+  }
+  catch(...)
+  {
+    std::error_code ignored;
+    fs::remove(partial, ignored);
+    throw;
+  }
 }
 
 template <typename Point_3>
@@ -136,7 +172,8 @@ bool read_geometry_image(const std::string& fname,
  * \brief writes a geometry image to a file, in single precision.
  *
  * The format is detected from the filename extension, see `read_geometry_image()`. Samples that coincide do so in the
- * file, too.
+ * file, too. If the file cannot be written in full, one that was there stays as it was: the new one is written beside it,
+ * as `fname` with `.partial`, and then takes its place.
  *
  * \tparam Point_3 a point type
  * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -166,10 +203,7 @@ bool write_geometry_image(const std::string& fname,
   return try_with_file(fname, np, [&]() {
     const Raster_format format = format_of_file(fname);
     Raster raster = make_raster(image);
-    std::ofstream os(fname, std::ios::binary);
-    if(!os)
-      throw std::runtime_error("it cannot be opened");
-    write_raster(os, format, std::move(raster));
+    write_or_keep(fname, [&](std::ostream& os) { write_raster(os, format, std::move(raster)); });
   });
 }
 

@@ -322,6 +322,15 @@ void test_references()
   start_topic("References with polygons");
   check_triangulation(make_mesh(cube_sphere(6)), 1e-9);
   check_triangulation(dual_icosphere(2), 2e-3);
+  Polygon_soup star;
+  star.polygons.emplace_back();
+  for(std::size_t i = 0; i < 14; ++i)
+  {
+    const double radius = i % 2 == 0 ? 1 : 0.4, angle = CGAL_PI * i / 7;
+    star.points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0);
+    star.polygons[0].push_back(i);
+  }
+  check_triangulation(make_mesh(transformed(star, rigid_motion)), 1e-9);
 
   Mesh polygons = dual_icosphere(2);
   const Halfedge g = polygons.next(polygons.halfedge(Face(40))), h = polygons.next(g);

@@ -10,7 +10,7 @@
 
 #include <CGAL/exceptions.h>
 
-// whether f() ends with a violated precondition
+// whether f() ends with a violated precondition, which says what is wrong
 template <typename F>
 bool violates_precondition(const F& f)
 {
@@ -18,8 +18,9 @@ bool violates_precondition(const F& f)
   {
     f();
   }
-  catch(const CGAL::Precondition_exception&)
+  catch(const CGAL::Precondition_exception& e)
   {
+    CHECK(!e.message().empty());
     return true;
   }
   return false;

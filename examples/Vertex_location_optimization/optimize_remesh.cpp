@@ -27,6 +27,10 @@
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Constrained_placement.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk_placement.h>
 
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -34,6 +38,7 @@
 #include <filesystem>
 #include <functional>
 #include <iostream>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -42,6 +47,8 @@ using Point = Kernel::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 using Crease_map = Mesh::Property_map<Mesh::Edge_index, bool>;
 using Error_map = Mesh::Property_map<Mesh::Vertex_index, double>;
+
+using Concurrency = CGAL::Parallel_if_available_tag;
 
 namespace PMP = CGAL::Polygon_mesh_processing;
 
@@ -52,26 +59,26 @@ struct Distances
   PMP::Approximation_error back; // from the input, refined, to the mesh
 };
 
-template <typename Concurrency, typename Surface>
+template <typename Surface>
 Distances measure(const Mesh& mesh, const Mesh& refined_input, const Surface& reference)
 {
   return { PMP::approximation_error<Concurrency>(mesh, reference),
            PMP::approximation_error<Concurrency>(refined_input, PMP::Flat_triangle_surface<Mesh>(mesh)) };
 }
 
-template <typename Concurrency, typename Surface>
+template <typename Surface>
 void print_measured(const Mesh& before, const Mesh& after, const Mesh& input, const Surface& reference, double side)
 {
   const Mesh refined_input = refine(input, reference);
-  const Distances a = measure<Concurrency>(before, refined_input, reference);
-  const Distances b = measure<Concurrency>(after, refined_input, reference);
+  const Distances a = measure(before, refined_input, reference);
+  const Distances b = measure(after, refined_input, reference);
   print_heading("measured densely");
   print_errors(a.there, b.there, "", side);
   print_errors(a.back, b.back, " from the input", side);
 }
 
 // The errors at the vertices, for the colors.
-template <typename Concurrency, typename Surface>
+template <typename Surface>
 Error_map measure_vertex_errors(Mesh& mesh, const Surface& reference)
 {
   constexpr std::size_t points_per_face = 9; // few: no eye sees more
@@ -95,7 +102,7 @@ Crease_map mark_creases(Mesh& mesh, double angle)
   return is_crease;
 }
 
-template <typename Concurrency, typename Surface>
+template <typename Surface>
 PMP::Vertex_location_optimization_report
 optimize(const Settings& s, Mesh& mesh, Crease_map is_crease, const Surface& reference)
 {
@@ -116,24 +123,24 @@ optimize(const Settings& s, Mesh& mesh, Crease_map is_crease, const Surface& ref
 }
 
 // Writes a mesh, and twice its errors.
-template <typename Concurrency, typename Surface>
+template <typename Surface>
 void write_with_errors(
   const Settings& s, const std::string& name, Mesh& mesh, const Surface& reference, double largest_color)
 {
-  const Error_map errors = measure_vertex_errors<Concurrency>(mesh, reference);
+  const Error_map errors = measure_vertex_errors(mesh, reference);
   write_mesh_with_attributes(s.output + name + "." + s.format, mesh);
   write_colored_PLY(s.output + name + "_error.ply", mesh, errors, largest_color);
   write_VTP(s.output + name + "_error.vtp", mesh, "error", errors);
 }
 
-template <typename Concurrency, typename Surface>
+template <typename Surface>
 void optimize_and_write(const Settings& s, const Mesh& input, Mesh& mesh, Crease_map is_crease, const Surface& reference)
 {
   const double side = longest_side(input);
   Mesh remesh = mesh;
   CGAL::Real_timer timer;
   timer.start();
-  const PMP::Vertex_location_optimization_report report = optimize<Concurrency>(s, mesh, is_crease, reference);
+  const PMP::Vertex_location_optimization_report report = optimize(s, mesh, is_crease, reference);
   std::printf("optimized: %zu iterations, %.2f s\n", report.iterations, timer.time());
   print_reference(report.reference, side);
   print_moves(report, mesh.number_of_vertices());
@@ -141,20 +148,20 @@ void optimize_and_write(const Settings& s, const Mesh& input, Mesh& mesh, Crease
     print_volume(report, s.preserve_volume);
   print_table(report, measure_regularity(remesh), measure_regularity(mesh), s.guarantee_both_directions, side);
   if(s.is_measured)
-    print_measured<Concurrency>(remesh, mesh, input, reference, side);
+    print_measured(remesh, mesh, input, reference, side);
 
   const double largest_color = s.largest_color > 0 ? s.largest_color : 3 * report.initial_error.mean;
   for(Mesh* m : { &remesh, &mesh })
     transfer_attributes<Concurrency>(input, reference, *m, is_crease);
-  write_with_errors<Concurrency>(s, "remesh", remesh, reference, largest_color);
-  write_with_errors<Concurrency>(s, "optimized", mesh, reference, largest_color);
+  write_with_errors(s, "remesh", remesh, reference, largest_color);
+  write_with_errors(s, "optimized", mesh, reference, largest_color);
   std::printf(
     "\nwritten: %sremesh*, %soptimized*\ncolors from 0 (violet) to %.3g (yellow), %.3g/10000 of the longest side\n",
     s.output.c_str(), s.output.c_str(), largest_color, largest_color / side * 1e4);
 }
 
 // Finds the coarsest remesh within the tolerance, and writes it. Returns whether there is one.
-template <typename Concurrency, typename Surface>
+template <typename Surface>
 bool remesh_within_tolerance(const Settings& s, const Mesh& input, Crease_map is_crease, const Surface& reference)
 {
   const double side = longest_side(input), tolerance = s.is_tolerance_relative ? s.tolerance * side : s.tolerance;
@@ -190,12 +197,11 @@ bool remesh_within_tolerance(const Settings& s, const Mesh& input, Crease_map is
   mesh.collect_garbage();
   const double largest_color = s.largest_color > 0 ? s.largest_color : 3 * report.to_reference.mean;
   transfer_attributes<Concurrency>(input, reference, mesh, CGAL::Static_boolean_property_map<Mesh::Edge_index, false>());
-  write_with_errors<Concurrency>(s, "optimized", mesh, reference, largest_color);
+  write_with_errors(s, "optimized", mesh, reference, largest_color);
   std::printf("written: %soptimized*\n", s.output.c_str());
   return report.is_within_tolerance;
 }
 
-template <typename Concurrency>
 bool remesh_within_tolerance(const Settings& s, Mesh& input)
 {
   const Crease_map is_crease = mark_creases(input, s.crease_angle);
@@ -206,8 +212,8 @@ bool remesh_within_tolerance(const Settings& s, Mesh& input)
   }
   const auto creases = CGAL::parameters::sharpness_angle((std::min)(s.sharpness_angle, s.crease_angle));
   if(s.reference == "flat")
-    return remesh_within_tolerance<Concurrency>(s, input, is_crease, PMP::Flat_triangle_surface<Mesh>(input, creases));
-  return remesh_within_tolerance<Concurrency>(s, input, is_crease, PMP::PN_triangle_surface<Mesh>(input, creases));
+    return remesh_within_tolerance(s, input, is_crease, PMP::Flat_triangle_surface<Mesh>(input, creases));
+  return remesh_within_tolerance(s, input, is_crease, PMP::PN_triangle_surface<Mesh>(input, creases));
 }
 
 // Makes fewer or more regular faces of a mesh.
@@ -230,7 +236,6 @@ void remesh(const Settings& s, Crease_map is_crease, Mesh& mesh)
 }
 
 // Returns whether the result is as good as was asked for.
-template <typename Concurrency>
 bool run(const Settings& s)
 {
   Mesh input = read_triangle_mesh<Point>(s.input, s.is_triangulated);
@@ -239,7 +244,7 @@ bool run(const Settings& s)
     throw std::runtime_error(s.input + ": all its points are the same");
   std::printf("%s: %u vertices\n", std::filesystem::path(s.input).filename().string().c_str(), input.number_of_vertices());
   if(s.tolerance > 0)
-    return remesh_within_tolerance<Concurrency>(s, input);
+    return remesh_within_tolerance(s, input);
 
   CGAL::Real_timer timer;
   timer.start();
@@ -252,11 +257,10 @@ bool run(const Settings& s)
   std::printf("remesh: %u vertices, %.2f s\n", mesh.number_of_vertices(), timer.time());
 
   if(s.reference == "flat")
-    optimize_and_write<Concurrency>(s, input, mesh, is_crease, PMP::Flat_triangle_surface<Mesh>(input));
+    optimize_and_write(s, input, mesh, is_crease, PMP::Flat_triangle_surface<Mesh>(input));
   else
-    optimize_and_write<Concurrency>(
-      s, input, mesh, is_crease,
-      PMP::PN_triangle_surface<Mesh>(input, CGAL::parameters::sharpness_angle(s.sharpness_angle)));
+    optimize_and_write(s, input, mesh, is_crease,
+                       PMP::PN_triangle_surface<Mesh>(input, CGAL::parameters::sharpness_angle(s.sharpness_angle)));
   return true;
 }
 
@@ -267,9 +271,12 @@ int main(int argc, char* argv[])
     Settings settings;
     if(!read_settings(argc, argv, settings))
       return EXIT_SUCCESS;
-    const bool is_good =
-      settings.is_sequential ? run<CGAL::Sequential_tag>(settings) : run<CGAL::Parallel_if_available_tag>(settings);
-    return is_good ? EXIT_SUCCESS : 2;
+#ifdef CGAL_LINKED_WITH_TBB
+    std::optional<tbb::global_control> one_thread;
+    if(settings.is_sequential)
+      one_thread.emplace(tbb::global_control::max_allowed_parallelism, 1);
+#endif
+    return run(settings) ? EXIT_SUCCESS : 2;
   }
   catch(const std::exception& e)
   {

@@ -1,7 +1,14 @@
 // Copyright (c) 2026 The Vertex_location_optimization authors.
 // All rights reserved.
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+//
+// Author(s)     : The Vertex_location_optimization authors
 
 // In the form in which CGAL generates this file from Installation/include/CGAL/license/gpl_package_list.txt, where the line is
 //   Vertex_location_optimization Vertex Location Optimization

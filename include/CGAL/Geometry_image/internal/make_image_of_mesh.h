@@ -1,10 +1,19 @@
 // Copyright (c) 2026 The Vertex_location_optimization authors.
 // All rights reserved.
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+//
+// Author(s)     : The Vertex_location_optimization authors
 
 #ifndef CGAL_GEOMETRY_IMAGE_INTERNAL_MAKE_IMAGE_OF_MESH_H
 #define CGAL_GEOMETRY_IMAGE_INTERNAL_MAKE_IMAGE_OF_MESH_H
+
+#include <CGAL/license/Vertex_location_optimization.h>
 
 #include <CGAL/Geometry_image/internal/parameterize_over_square.h>
 #include <CGAL/Geometry_image/internal/sample_parameterized_mesh.h>

@@ -1,7 +1,14 @@
 // Copyright (c) 2026 The Vertex_location_optimization authors.
 // All rights reserved.
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+//
+// Author(s)     : The Vertex_location_optimization authors
 
 // CGAL's list of named parameters with those of Vertex_location_optimization, for whoever has this directory before that of
 // CGAL on the include path: they are then members of CGAL's own class and can be given in any order. The file is included

@@ -1,7 +1,14 @@
 // Copyright (c) 2026 The Vertex_location_optimization authors.
 // All rights reserved.
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+//
+// Author(s)     : The Vertex_location_optimization authors
 
 // The named parameters that CGAL does not have: the lines that would be added to
 // CGAL/STL_Extension/internal/parameters_interface.h. Like that file it has no guard.

@@ -27,7 +27,7 @@
 #include <cstddef>
 #include <vector>
 
-// The triangulations are those of `triangulate_faces()`, whose header takes as long to compile as all of this package, since it
+// The triangulations are those of `triangulate_faces()`, a call of which takes longer to compile than all of this, since it
 // fills holes of any shape, too.
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {

@@ -160,8 +160,7 @@ Approximation_error attribute_error(const PolygonMesh& pmesh,
       return {};
 
     const Map_signal<Patches, dimension> signal(patches, std::move(patch_values));
-    const Error_sum error = measure_attribute<ConcurrencyTag>(mesh, corner_values, signal, number_of_points);
-    return { error.mean(), error.rms(), error.max };
+    return measure_attribute<ConcurrencyTag>(mesh, corner_values, signal, number_of_points).error();
   };
   return with_described_reference<ConcurrencyTag>(mesh, reference, np2, failure, measure);
 }

@@ -31,10 +31,10 @@ namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 // The difference between the values at the corners of the faces of a mesh, interpolated over them, and a signal: what
 // `attribute_error()` measures. A face takes its samples on one side of the seams of the signal.
 template <typename ConcurrencyTag, typename Signal>
-Error_sum measure_attribute(const Mesh_arrays& mesh,
-                            const std::vector<typename Signal::Value>& corner_values,
-                            const Signal& signal,
-                            const std::size_t number_of_points)
+Error_integral measure_attribute(const Mesh_arrays& mesh,
+                                 const std::vector<typename Signal::Value>& corner_values,
+                                 const Signal& signal,
+                                 const std::size_t number_of_points)
 {
   const auto& reference = signal.reference();
   const auto vertex_feet = project_vertices<ConcurrencyTag>(mesh.points, reference);
@@ -62,7 +62,7 @@ Error_sum measure_attribute(const Mesh_arrays& mesh,
     const double count = static_cast<double>(number_of_lattice_points(pieces));
     faces[f] = { mesh.area(f), sum / count, sum_of_squares / count, max };
   });
-  return sum_of_faces<ConcurrencyTag>(faces);
+  return integral_over_faces<ConcurrencyTag>(faces);
 }
 
 } // namespace CGAL::Polygon_mesh_processing::internal::vertex_location

@@ -15,7 +15,7 @@
 
 #include <CGAL/license/Vertex_location_optimization.h>
 
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Measure/Error_sum.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Measure/Error_integral.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Measure/Face_piece.h>
 
 #include <array>
@@ -46,35 +46,45 @@ public:
     : m_reference(reference), m_normal(normalized(area_normal)), m_area(norm(area_normal) / 2)
   {}
 
-  // Walks to the closest point from that of a sample nearby, unless that or another sheet may end too early: in a concave
-  // dihedral angle, between two sheets, or where the distance is large. Found by trial: the mean is 0.1% too large at most.
+  // the sample at p, which is near another one
   Sample operator()(const Point& p, const Sample& near) const
   {
-    if constexpr(!Reference::walks)
-      return Sample(p, m_reference, m_reference.project(p, near.hint));
-    else
-    {
-      constexpr double least_cosine = 0.7;
-      constexpr double enough = 2; // so much farther than that it is not tried
-      if(near.distance > enough * farthest(near.patch_area))
-        return Sample(p, m_reference, m_reference.project(p, near.hint));
-      const Foot foot = m_reference.project_locally(p, near.hint);
-      const Sample sample(p, m_reference, foot, false);
-      if(sample.distance <= farthest(sample.patch_area) && m_reference.normal(foot) * m_normal >= least_cosine)
-        return sample;
-      return Sample(p, m_reference, m_reference.project(p, foot));
-    }
+    constexpr double far = 0.1; // found by trial: the mean is 0.1% too large at most
+    return take_sample(p, near, far);
+  }
+
+  // The same, less often exact: it costs less.
+  Sample estimate(const Point& p, const Sample& near) const
+  {
+    constexpr double far = 0.3;
+    return take_sample(p, near, far);
   }
 
   const Vector& normal() const { return m_normal; }
   double area() const { return m_area; }
 
 private:
-  // how far away the closest point may be to walk to it
-  double farthest(const double patch_area) const
+  // Walks to the closest point from that of the sample nearby, unless another sheet may be closer: where the distance is
+  // large, relative to the size of the face or of the patch, or the surfaces are not along each other.
+  Sample take_sample(const Point& p, const Sample& near, const double far) const
   {
-    constexpr double far = 0.07; // relative to the size of the face or of the patch, whichever is smaller
-    return far * std::sqrt((std::min)(m_area, patch_area));
+    if constexpr(!Reference::walks)
+      return Sample(p, m_reference, m_reference.project(p, near.foot));
+    else
+    {
+      constexpr double least_cosine = 0.7;
+      constexpr double enough = 2; // so much farther than that it is not tried
+      const auto is_far = [&](const Sample& s, double d) {
+        return square(s.distance) > square(d) * (std::min)(m_area, s.patch_area);
+      };
+      if(is_far(near, enough * far))
+        return Sample(p, m_reference, m_reference.project(p, near.foot));
+      const Foot foot = m_reference.project_among_neighbors(p, near.foot);
+      const Sample sample(p, m_reference, foot, false);
+      if(!is_far(sample, far) && m_reference.normal(foot) * m_normal >= least_cosine)
+        return sample;
+      return Sample(p, m_reference, m_reference.project(p, foot));
+    }
   }
 
   const Reference& m_reference;
@@ -99,36 +109,50 @@ class Face_measure
 public:
   using Sample = Distance_sample<Reference>;
 
-  // `corners` are the samples at the corners of face f
-  Face_measure(const Sampler& sampler, const Fineness& fineness, const std::size_t f)
+  Face_measure(const Sampler& sampler, const Fineness& fineness, const std::size_t f) // of face f
     : m_sampler(sampler), m_fineness(fineness), m_number(f * step_between_faces)
   {}
 
+  // `corners` are the samples at the corners of the face
   Face_measurement operator()(const std::array<Sample, 3>& corners)
   {
-    if(is_flat(Piece(corners)))
-      add(Piece(corners), 1, 1);
+    const Piece face(corners);
+    if(is_flat(face))
+    {
+      add(face, 1, 1);
+      m_result.coarseness = coarseness_if_flat(face);
+    }
     else
-      measure(Piece(corners, m_sampler), 0, 1);
+      measure(Piece(corners, take_sample()), 0, 1);
     return m_result;
   }
 
 private:
   static constexpr std::size_t step_between_faces = 7;
 
-  // whether the face is so much smaller than those of the reference that the distance is nearly linear
+  // Whether the face is so much smaller than those of the reference that the distance is nearly linear.
   bool is_flat(const Piece& face) const
   {
-    constexpr double small = 1. / 32;
-    return Reference::walks && m_fineness.least_depth == 0 &&
-           m_sampler.area() < small * m_fineness.largest_coarseness * face.area_of_detail();
+    return Reference::walks && m_fineness.least_depth == 0 && coarseness_if_flat(face) < m_fineness.largest_coarseness;
+  }
+
+  double coarseness_if_flat(const Piece& face) const
+  {
+    constexpr double of_flat_face = 32; // relative to that of a piece of the same size
+    return of_flat_face * coarseness(face, 1);
+  }
+
+  // takes the samples that are interpolated
+  auto take_sample() const
+  {
+    return [this](const Point& p, const Sample& near) { return m_sampler.estimate(p, near); };
   }
 
   void measure(const Piece& piece, const int depth, const double part)
   {
     constexpr int number_of_tests = 2;
     if(is_coarse(piece, depth, part))
-      for(const Piece& child : piece.split(m_sampler))
+      for(const Piece& child : piece.split(take_sample()))
         measure(child, depth + 1, part / 4);
     else
       add(piece, part, number_of_tests);
@@ -159,17 +183,19 @@ private:
     double missed = 0, missed_square = 0, squared_deviation = 0;
     for(int i = 0; i < number_of_tests; ++i)
     {
-      const Coordinates x = next_coordinates();
+      const Coordinates x = low_discrepancy_coordinates(++m_number);
       const auto [p, near] = piece.at(x);
       const Sample sample = m_sampler(p, near);
-      const double interpolated = interpolant.absolute_at(x);
-      missed += sample.distance - interpolated;
+      const double interpolated = interpolant.absolute_at(x), difference = sample.distance - interpolated;
+      missed += difference;
       missed_square += square(sample.distance) - square(interpolated);
-      squared_deviation += square(sample.distance - interpolated);
+      squared_deviation += square(difference);
       largest = (std::max)(largest, sample.distance);
       if(sample.is_exact)
         m_result.max = (std::max)(m_result.max, sample.distance);
     }
+    if(number_of_tests > 1)
+      squared_deviation = (squared_deviation - square(missed) / number_of_tests) * number_of_tests / (number_of_tests - 1);
     m_result.mean += part * (interpolant.mean_of_absolute() + missed / number_of_tests);
     m_result.mean_square += part * (interpolant.mean_of_square() + missed_square / number_of_tests);
     m_result.variance += square(part / number_of_tests) * squared_deviation;
@@ -178,19 +204,6 @@ private:
     m_result.sampled_maximum = (std::max)(m_result.sampled_maximum, largest);
     m_result.probable_maximum = (std::max)(m_result.probable_maximum, largest + piece.probable_rise(m_sampler.normal()));
     ++m_result.number_of_pieces;
-  }
-
-  // the additive recurrence by powers of the plastic number, of low discrepancy
-  Coordinates next_coordinates()
-  {
-    constexpr double plastic_number = 1.3247179572447460; // the real root of x^3 = x + 1
-    constexpr double step_u = 1 / plastic_number, step_v = step_u / plastic_number;
-    ++m_number;
-    const double a = 0.5 + step_u * m_number, b = 0.5 + step_v * m_number;
-    const double u = a - std::floor(a), v = b - std::floor(b);
-    if(u + v > 1)
-      return { 1 - u, 1 - v };
-    return { u, v };
   }
 
   const Sampler& m_sampler;

@@ -34,7 +34,7 @@ struct Distance_sample
 
   Distance_sample() = default;
   Distance_sample(const Point& p, const Reference& reference, const Foot& foot, bool exact = true)
-    : point(p), offset(reference.point(foot) - p), distance(norm(offset)), patch_area(reference.area_at(foot)), hint(foot),
+    : point(p), offset(reference.point(foot) - p), distance(norm(offset)), patch_area(reference.area_at(foot)), foot(foot),
       is_exact(exact)
   {}
 
@@ -42,7 +42,7 @@ struct Distance_sample
   Vector offset; // to the closest point
   double distance;
   double patch_area; // of the patch that the closest point is in
-  typename Reference::Hint hint;
+  Foot foot;
   bool is_exact; // else the closest point may be elsewhere, and closer
 };
 

@@ -47,15 +47,17 @@ public:
   {
     constexpr double precision = 1.002;
     std::vector<Candidate> heap;
-    Result result{ corners[0] };
+    Result result{ *std::max_element(corners.begin(), corners.end(), is_nearer) };
+    const auto take_sample = [&](const Point& p, const Sample& near) {
+      const Sample s = sample(p, near, (std::max)(result.best.distance, known));
+      if(s.is_exact && is_nearer(result.best, s))
+        result.best = s;
+      return s;
+    };
     const auto add = [&](const Piece& piece) {
-      const Sample& farthest = piece.farthest_sample();
-      if(farthest.distance > result.best.distance)
-        result.best = farthest;
-      heap.push_back({ piece, farthest.distance + piece.probable_rise(m_normal) });
+      heap.push_back({ piece, piece.largest_distance() + piece.probable_rise(m_normal) });
       std::push_heap(heap.begin(), heap.end());
     };
-    const auto take_sample = [&](const Point& p, const Sample& near) { return sample(p, near); };
     add(Piece(corners, take_sample));
     for(; result.number_of_cuts < most_cuts; ++result.number_of_cuts)
     {
@@ -86,7 +88,7 @@ public:
       double least = here.distance;
       for(const Coordinates& y : neighbors(x, step))
       {
-        const Sample there = sample(point_at(face, y), here);
+        const Sample there = sample(point_at(face, y), here, best.distance);
         least = (std::min)(least, there.distance);
         if(there.distance > best.distance)
         {
@@ -104,10 +106,15 @@ public:
   }
 
 private:
-  Sample sample(const Point& p, const Sample& near) const
+  // Walking finds the closest point or one that is farther away: it suffices where that is no farther than `known`.
+  Sample sample(const Point& p, const Sample& near, const double known) const
   {
-    return Sample(p, m_reference, m_reference.project(p, near.hint));
+    const auto foot = m_reference.project_among_neighbors(p, near.foot);
+    const Sample walked(p, m_reference, foot, !Reference::walks);
+    return walked.is_exact || walked.distance <= known ? walked : Sample(p, m_reference, m_reference.project(p, foot));
   }
+
+  static bool is_nearer(const Sample& a, const Sample& b) { return a.distance < b.distance; }
 
   // steps along the sides of the face, and back; those that would leave the face end on its boundary
   static std::array<Coordinates, 6> neighbors(const Coordinates& x, const double step)
@@ -153,7 +160,7 @@ public:
   void run()
   {
     constexpr std::size_t unlimited = (std::numeric_limits<std::size_t>::max)();
-    constexpr Effort for_first{ 32, 12, unlimited, false }, for_last{ 8, 64, unlimited, true };
+    constexpr Effort for_first{ 64, 8, unlimited, false }, for_last{ 8, 64, unlimited, true };
     const Effort for_others{ m_faces.size(), 4, 512 + m_faces.size() / 8, false };
     search([](const Face_measurement& face) { return face.sampled_maximum; }, for_first);
     search([](const Face_measurement& face) { return face.probable_maximum; }, for_others);

@@ -15,6 +15,7 @@
 
 #include <CGAL/license/Vertex_location_optimization.h>
 
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Measure/Adaptive_sampling.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Measure/Maximum_search.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Measure/sample_faces.h>
 
@@ -54,69 +55,25 @@ public:
   }
 
   template <typename ConcurrencyTag>
-  Error_sum sum() const
+  Approximation_error error() const
   {
-    return sum_of_faces<ConcurrencyTag>(faces);
+    return integral_over_faces<ConcurrencyTag>(faces).error();
   }
 
   std::vector<Foot> vertex_feet;
   std::vector<Face_measurement> faces;
 
 private:
-  struct Precision
-  {
-    double variance = 0, distance = 0, area = 0, coarseness = 0;
-
-    Precision() = default;
-    explicit Precision(const Face_measurement& face)
-      : variance(square(face.area) * face.variance), distance(face.area * face.mean), area(face.area),
-        coarseness(face.area * face.coarseness)
-    {}
-
-    Precision& operator+=(const Precision& other)
-    {
-      variance += other.variance;
-      distance += other.distance;
-      area += other.area;
-      coarseness += other.coarseness;
-      return *this;
-    }
-  };
-
-  // Coarse first, and finer until the standard error of the mean is small enough.
   template <typename ConcurrencyTag>
   void sample_adaptively()
   {
-    constexpr double largest_standard_error = 1.5e-3; // of the mean; the true one is about half of what the samples say
-    constexpr int most_rounds = 4;
-    constexpr double least_factor = 4, largest_factor = 16, margin = 1.5;
-    Fineness fineness{ 16, least_depth() };
-    for(int round = 0; round < most_rounds; ++round)
-    {
-      for_each_index<ConcurrencyTag>(faces.size(), [&](std::size_t f) {
-        const Distance_sampler<Reference> sampler(m_reference, m_mesh.area_normal(f, m_points));
-        faces[f] = Face_measure<Reference>(sampler, fineness, f)(samples_at_corners(f));
-        faces[f].area = m_mesh.area(f, m_points);
-      });
-      const Precision p =
-        sum_over_indices<ConcurrencyTag, Precision>(faces.size(), [&](std::size_t f) { return Precision(faces[f]); });
-      const double excess = std::sqrt(p.variance) / (largest_standard_error * p.distance);
-      if(!(excess > 1))
-        return;
-      // most pieces are not as coarse as they might have been
-      fineness.largest_coarseness = (std::min)(fineness.largest_coarseness, 2 * p.coarseness / p.area) /
-                                    (std::min)(largest_factor, (std::max)(least_factor, margin * excess));
-    }
-  }
-
-  // small meshes are cut to more pieces, which costs little
-  int least_depth() const
-  {
-    constexpr std::size_t enough_pieces = 1000;
-    int depth = 0;
-    for(std::size_t n = faces.size(); n > 0 && n < enough_pieces; n *= 4)
-      ++depth;
-    return depth;
+    const auto measure_face = [&](const std::size_t f, const Fineness& fineness) {
+      const Distance_sampler<Reference> sampler(m_reference, m_mesh.area_normal(f, m_points));
+      Face_measurement face = Face_measure<Reference>(sampler, fineness, f)(samples_at_corners(f));
+      face.area = m_mesh.area(f, m_points);
+      return face;
+    };
+    Adaptive_sampling<ConcurrencyTag, decltype(measure_face)>(measure_face, faces).run();
   }
 
   template <typename ConcurrencyTag>
@@ -131,14 +88,16 @@ private:
       double sum = 0, sum_of_squares = 0;
       std::size_t count = 0;
       const auto triangle = m_mesh.triangle(f, m_points);
-      project_samples(triangle, m_reference, density.number_of_points(face.area), vertex_feet[m_mesh.first_vertex(f)],
-                      [&](const auto&, const Point& p, const Foot& foot) {
-                        const double distance = distance_to_foot(p, m_reference, foot);
-                        sum += distance;
-                        sum_of_squares += distance * distance;
-                        face.max = (std::max)(face.max, distance);
-                        ++count;
-                      });
+      Foot foot = vertex_feet[m_mesh.first_vertex(f)];
+      for_each_sample(density.number_of_points(face.area), [&](const Coordinates& x) {
+        const Point p = point_at(triangle, x);
+        foot = m_reference.project(p, foot);
+        const double distance = distance_to_foot(p, m_reference, foot);
+        sum += distance;
+        sum_of_squares += distance * distance;
+        face.max = (std::max)(face.max, distance);
+        ++count;
+      });
       face.mean = sum / count;
       face.mean_square = sum_of_squares / count;
       face.sampled_maximum = face.max;
@@ -190,13 +149,13 @@ inline std::vector<Face_error> errors_of_polygons(const Mesh_arrays& mesh, const
 {
   if(!mesh.has_polygons())
     return { faces.begin(), faces.end() };
-  std::vector<Error_sum> sums(mesh.number_of_polygons());
+  std::vector<Error_integral> integrals(mesh.number_of_polygons());
   for(std::size_t f = 0; f < faces.size(); ++f)
-    sums[mesh.polygon(f)] += faces[f];
+    integrals[mesh.polygon(f)] += integral_over(faces[f]);
   std::vector<Face_error> errors;
-  errors.reserve(sums.size());
-  for(const Error_sum& sum : sums)
-    errors.push_back({ sum.area, sum.mean(), mean_of(sum.squared_distance, sum.area), sum.max });
+  errors.reserve(integrals.size());
+  for(const Error_integral& integral : integrals)
+    errors.push_back({ integral.area, integral.mean(), integral.mean_square(), integral.max });
   return errors;
 }
 
@@ -207,14 +166,14 @@ std::vector<double> mean_around_vertices(const Mesh_arrays& mesh,
                                          const std::vector<typename Reference::Foot>& vertex_feet,
                                          const std::vector<Face_error>& polygons)
 {
-  std::vector<Error_sum> sums(mesh.points.size());
+  std::vector<Error_integral> integrals(mesh.points.size());
   for(Index c = 0; c < 3 * mesh.number_of_faces(); ++c)
     if(mesh.ear(c) == c)
-      sums[mesh.vertex(c)] += polygons[mesh.polygon(c / 3)];
+      integrals[mesh.vertex(c)] += integral_over(polygons[mesh.polygon(c / 3)]);
 
   std::vector<double> means(mesh.points.size());
   for_each_index<ConcurrencyTag>(means.size(), [&](std::size_t i) {
-    means[i] = sums[i].area > 0 ? sums[i].mean() : distance_to_foot(mesh.points[i], reference, vertex_feet[i]);
+    means[i] = integrals[i].area > 0 ? integrals[i].mean() : distance_to_foot(mesh.points[i], reference, vertex_feet[i]);
   });
   return means;
 }

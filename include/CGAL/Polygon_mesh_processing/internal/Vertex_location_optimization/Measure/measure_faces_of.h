@@ -77,8 +77,7 @@ Approximation_error measure_faces_of(const PolygonMesh& pmesh,
       }
     }
 
-    const Error_sum error = measure.template sum<ConcurrencyTag>();
-    return { error.mean(), error.rms(), error.max };
+    return measure.template error<ConcurrencyTag>();
   });
 }
 

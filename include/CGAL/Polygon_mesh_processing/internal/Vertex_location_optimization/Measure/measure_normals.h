@@ -15,6 +15,7 @@
 
 #include <CGAL/license/Vertex_location_optimization.h>
 
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Measure/Face_measure.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Measure/sample_faces.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/corner_normals.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/with_reference_surface.h>
@@ -80,16 +81,19 @@ double measure_corner_normals(const Mesh_arrays& mesh,
     const std::array<Index, 3>& v = mesh.face(f);
     const std::size_t number_of_points = number_of_normal_samples(
       reference, { vertex_feet[v[0]], vertex_feet[v[1]], vertex_feet[v[2]] }, mesh.area(f), density);
-    project_samples(mesh.triangle(f), reference, number_of_points, vertex_feet[v[0]],
-                    [&](const Coordinates& x, const auto&, const auto& foot) {
-                      ++count;
-                      const Vector here = normalized(n + x.u * to_n1 + x.v * to_n2);
-                      const Vector there = normalized(reference.normal(foot));
-                      if(here == NULL_VECTOR || there == NULL_VECTOR)
-                        return;
-                      face.angle += std::atan2(norm(cross_product(here, there)), here * there);
-                      face.area += 1;
-                    });
+    const std::array<Point, 3> triangle = mesh.triangle(f);
+    const Distance_sampler<Reference> take_sample(reference, mesh.area_normal(f));
+    Distance_sample<Reference> sample(triangle[0], reference, vertex_feet[v[0]]);
+    for_each_sample(number_of_points, [&](const Coordinates& x) {
+      ++count;
+      sample = take_sample(point_at(triangle, x), sample);
+      const Vector here = normalized(n + x.u * to_n1 + x.v * to_n2);
+      const Vector there = normalized(reference.normal(sample.foot));
+      if(here == NULL_VECTOR || there == NULL_VECTOR)
+        return;
+      face.angle += std::atan2(norm(cross_product(here, there)), here * there);
+      face.area += 1;
+    });
 
     const double area_of_sample = mesh.area(f) / static_cast<double>(count);
     return Angle_integral{ area_of_sample * face.area, area_of_sample * face.angle };

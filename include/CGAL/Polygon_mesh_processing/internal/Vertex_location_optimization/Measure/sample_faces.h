@@ -80,30 +80,20 @@ std::vector<typename Reference::Foot> project_vertices(const std::vector<Point>&
   return feet;
 }
 
-// Projects samples of a triangle, each of which stands for the same area: the centroids of the s * s triangles that its
-// sides, cut into s pieces, make, where s is the smallest number for which they are at least `number_of_points`. Calls
-// f(x, p, foot) for the sample p with the coordinates x. The search starts at the foot `hint`.
-template <typename Reference, typename F>
-void project_samples(const std::array<Point, 3>& triangle,
-                     const Reference& reference,
-                     const std::size_t number_of_points,
-                     typename Reference::Foot hint,
-                     const F& f)
+// Samples of a triangle, each of which stands for the same area: the centroids of the s * s triangles that its sides, cut
+// into s pieces, make, where s is the smallest number for which they are at least `number_of_points`. Calls f(x) with the
+// coordinates of each; those that follow each other are neighbors.
+template <typename F>
+void for_each_sample(const std::size_t number_of_points, const F& f)
 {
   const double root = std::sqrt(static_cast<double>(number_of_points));
   const std::size_t s = (std::max)(std::size_t(1), static_cast<std::size_t>(std::ceil(root)));
-  auto project_sample = [&](const Coordinates& x) {
-    const Point p = point_at(triangle, x);
-    hint = reference.project(p, hint);
-    f(x, p, hint);
-  };
-
   for(std::size_t i = 0; i < s; ++i)
     for(std::size_t j = 0; j < s - i; ++j)
     {
-      project_sample({ (i + 1 / 3.) / s, (j + 1 / 3.) / s });
+      f(Coordinates{ (i + 1 / 3.) / s, (j + 1 / 3.) / s });
       if(i + j + 1 < s)
-        project_sample({ (i + 2 / 3.) / s, (j + 2 / 3.) / s });
+        f(Coordinates{ (i + 2 / 3.) / s, (j + 2 / 3.) / s });
     }
 }
 

@@ -108,6 +108,7 @@ public:
   }
 
   bool empty() const { return m_patches.empty(); }
+  const std::vector<Patch>& patches() const { return m_patches; }
   const Patch& patch(Index i) const { return m_patches[i]; }
   Point point(const Patch_foot& foot) const { return m_patches[foot.patch].point(foot.coordinates); }
 
@@ -139,6 +140,17 @@ public:
     squared_distance = (std::numeric_limits<double>::max)();
     m_patches[i].improve_foot(query, x, squared_distance);
     return { i, x };
+  }
+
+  // Moves `foot`, with its squared distance, to patch i if that has a point that is closer; returns whether it has.
+  bool improve_foot(const Point& query, const Index i, Patch_foot& foot, double& squared_distance) const
+  {
+    const Foot_estimate estimate = m_patches[i].estimate_foot(query);
+    Coordinates x = estimate.coordinates;
+    if(square(estimate.lower_bound) >= squared_distance || !m_patches[i].improve_foot(query, x, squared_distance))
+      return false;
+    foot = { i, x };
+    return true;
   }
 
 private:

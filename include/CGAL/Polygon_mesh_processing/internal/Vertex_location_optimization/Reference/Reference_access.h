@@ -33,7 +33,9 @@ namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 //   project(q), project(q, hint)  the closest point
 //   project_locally(q, hint)      the closest point as far as walking from `hint` over neighbors leads closer. Much faster,
 //                                 and the same point unless another sheet of the surface is closer.
-//   walks                         whether `project_locally()` walks, and may so miss a point that is closer
+//   project_among_neighbors(q, hint)
+//                                 the same, but it looks beyond concave edges, too: rather slower, and rarely wrong
+//   walks                         whether these two walk, and may so miss a point that is closer
 //   prefetch(hint)                asks for what `project_locally(q, hint)` reads first, to be called some time before it
 //   point(foot), normal(foot)     a unit vector; the null vector where there is no normal
 //   feet_at(foot)                 all feet that are the same point: on an edge they have the normals of several faces
@@ -66,6 +68,7 @@ public:
   Foot project(const Point& query) const { return m_surface.project(convert<Surface_point>(query)); }
   Foot project(const Point& query, const Foot& hint) const { return m_surface.project(convert<Surface_point>(query), hint); }
   Foot project_locally(const Point& query, const Foot& hint) const { return project(query, hint); }
+  Foot project_among_neighbors(const Point& query, const Foot& hint) const { return project(query, hint); }
   void prefetch(const Foot&) const {}
   Point point(const Foot& foot) const { return convert<Point>(m_surface.point(foot)); }
   Vector normal(const Foot& foot) const { return convert<Vector>(m_surface.normal(foot)); }

@@ -16,8 +16,10 @@
 #include <CGAL/license/Vertex_location_optimization.h>
 
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/Feature_curves.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/Patch_deviation.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/Patch_tree.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/patch_volume.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/sample_patches.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/for_each_index.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/prefetch.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/triangle_coordinates.h>
@@ -81,8 +83,24 @@ public:
     return in_first_patch(foot);
   }
 
-  // The same, but the walk crosses the side k of a patch only if can_cross(patch, k). At such sides it goes on in any patch
-  // around the foot.
+  // The same, but the walk leaves a patch from its inside, too: beyond a concave edge the next patch may be closer.
+  Foot project_among_neighbors(const Point& query, const Foot& hint) const
+  {
+    double distance2;
+    Foot foot = m_tree.project_to_patch(query, approach(query, hint.patch), distance2);
+    const auto step = [&](Index corner) {
+      return corner != no_index && m_tree.improve_foot(query, corner / 3, foot, distance2);
+    };
+    const auto step_to_closer = [&] {
+      const std::array<Index, 3>& corners = m_neighbors[foot.patch];
+      return step_to_neighbor(query, foot, distance2) || std::any_of(corners.begin(), corners.end(), step);
+    };
+    walk(step_to_closer, foot, distance2);
+    return in_first_patch(foot);
+  }
+
+  // Like `project_locally()`, but the walk crosses the side k of a patch only if can_cross(patch, k). At such sides it goes on
+  // in any patch around the foot.
   template <typename CanCross>
   Foot project_locally(const Point& query, const Foot& hint, const CanCross& can_cross) const
   {
@@ -161,34 +179,16 @@ public:
   {
     if(m_kind == Reference_surface_kind::FLAT)
       return { m_kind, 0, 0 };
-    const auto deviation_of = [&](std::size_t i) { return Patch_deviation(m_tree.patch(static_cast<Index>(i))); };
+    const auto deviation_of = [&](std::size_t i) { return deviation_of_patch(m_tree.patch(static_cast<Index>(i))); };
     const auto deviation = sum_over_indices<ConcurrencyTag, Patch_deviation>(m_neighbors.size(), deviation_of);
     return { m_kind, deviation.area > 0 ? deviation.integral / deviation.area : 0, deviation.maximum };
   }
 
-  // The patches are in an order in which neighbors follow each other: points at equal steps of the area are spread over
-  // the surface.
   template <typename HintAt, typename AreaAt, typename F>
   void
   for_each_area_sample(const std::size_t n, const std::size_t m, const HintAt& hint, const AreaAt& area, const F& f) const
   {
-    std::vector<double> areas = spread_over_patches(m, hint, area); // that each sample in a patch stands for
-    double number_of_samples = 0;
-    for(Index i = 0; i < areas.size(); ++i)
-      number_of_samples += areas[i] > 0 ? m_tree.patch(i).area() / areas[i] : 0;
-    if(!(number_of_samples > 0))
-      return;
-
-    double passed = 0;
-    std::size_t number = 0; // of the samples so far
-    for(Index i = 0; i < m_neighbors.size(); ++i)
-    {
-      const double area_of_sample = areas[i] * (number_of_samples / n);
-      if(!(area_of_sample > 0))
-        continue;
-      for(passed += m_tree.patch(i).area() / area_of_sample; number + 0.5 < passed; ++number)
-        f(Foot{ i, low_discrepancy_coordinates(number) }, area_of_sample);
-    }
+    sample_patches(m_tree.patches(), n, m, hint, area, f);
   }
 
   // The point to which climbing from `foot` leads, where value(foot) is no lower than around it: from corner to corner of
@@ -220,55 +220,6 @@ public:
   const Feature_curves& feature_curves() const { return m_curves; }
 
 private:
-  // For each patch the largest area(k) of the feet hint(k), k < m, in it; where there is none, the larger one of those
-  // before and after it: what follows each other is close in space, but for a few leaps.
-  template <typename HintAt, typename AreaAt>
-  std::vector<double> spread_over_patches(const std::size_t m, const HintAt& hint, const AreaAt& area) const
-  {
-    std::vector<double> areas(m_neighbors.size(), 0);
-    for(std::size_t k = 0; k < m; ++k)
-    {
-      double& of_patch = areas[Foot(hint(k)).patch];
-      of_patch = (std::max)(of_patch, area(k));
-    }
-    double last = 0;
-    for(std::size_t begin = 0, end = 0; begin < areas.size(); begin = end)
-    {
-      while(end < areas.size() && !(areas[end] > 0))
-        ++end;
-      const double next = end < areas.size() ? areas[end] : 0;
-      std::fill(areas.begin() + begin, areas.begin() + end, (std::max)(last, next));
-      last = next;
-      end += end < areas.size();
-    }
-    return areas;
-  }
-
-  // How far a patch, or several, are from the flat triangles, at the midpoints of the sides and at the barycenters.
-  struct Patch_deviation
-  {
-    Patch_deviation() = default;
-    explicit Patch_deviation(const Patch& patch) : area(patch.area())
-    {
-      const Point p = patch.point({ 0, 0 });
-      const Vector n = normalized(area_normal(p, patch.point({ 1, 0 }), patch.point({ 0, 1 })));
-      const auto at = [&](double u, double v) { return std::abs((patch.point({ u, v }) - p) * n); };
-      const std::array<double, 3> at_midpoints{ { at(0.5, 0), at(0, 0.5), at(0.5, 0.5) } };
-      integral = area * (at_midpoints[0] + at_midpoints[1] + at_midpoints[2]) / 3;
-      maximum = (std::max)({ at_midpoints[0], at_midpoints[1], at_midpoints[2], at(1. / 3, 1. / 3) });
-    }
-
-    Patch_deviation& operator+=(const Patch_deviation& other)
-    {
-      area += other.area;
-      integral += other.integral;
-      maximum = (std::max)(maximum, other.maximum);
-      return *this;
-    }
-
-    double area = 0, integral = 0, maximum = 0;
-  };
-
   // The patch to which going from `patch` straight to `query` leads, as if the patches were flat.
   template <typename CanCross = Can_cross_all>
   Index approach(const Point& query, Index patch, const CanCross& can_cross = CanCross()) const

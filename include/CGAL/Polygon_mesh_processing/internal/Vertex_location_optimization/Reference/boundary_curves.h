@@ -110,9 +110,9 @@ inline Boundary_curve make_boundary_curve(const Mesh_arrays& mesh,
     const std::array<Index, 2> sectors = graph.sectors_at_end(mesh, e, end);
     curve.offsets[end] = tangential_offset(from_end, normals[sectors[0]], normals[sectors[1]]);
     distances[end] = norm(curve.offsets[end]);
-    for(Index sector : sectors)
+    for(int side = 0; side < (sectors[0] == sectors[1] ? 1 : 2); ++side)
     {
-      const Bend bend = bend_beyond(graph, normals, sector, from_end / length);
+      const Bend bend = bend_beyond(graph, normals, sectors[side], from_end / length);
       is_bent = is_bent || bend.goes_on;
       limits[end] = (std::max)(limits[end], distances[end] * (std::min)(1., bend.length_limit / length));
     }

@@ -132,17 +132,14 @@ measure_deviations(const Mesh_arrays& mesh, const Reference& reference, const st
 template <typename ConcurrencyTag>
 Approximation_error measure_samples(const Reference_samples& samples, const Mesh_arrays& mesh)
 {
-  Error_sum sum;
+  Error_integral integral;
   std::size_t i = 0;
   for(const auto& [face, distance] : measure_distances<ConcurrencyTag>(samples.points, mesh))
   {
     const double weight = i++ < samples.number_of_extremes ? 0 : 1;
-    sum.area += weight;
-    sum.distance += weight * distance;
-    sum.squared_distance += weight * distance * distance;
-    sum.max = (std::max)(sum.max, distance);
+    integral += Error_integral{ weight, weight * distance, weight * distance * distance, distance };
   }
-  return { sum.mean(), sum.rms(), sum.max };
+  return integral.error();
 }
 
 } // namespace CGAL::Polygon_mesh_processing::internal::vertex_location

@@ -22,10 +22,9 @@
 
 #include <CGAL/Polygon_mesh_processing/Vertex_location_optimization_report.h>
 
-#include <boost/range/irange.hpp>
-
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -74,8 +73,7 @@ public:
   template <typename ConcurrencyTag>
   void measure()
   {
-    if(!m_samples.empty())
-      measure<ConcurrencyTag>(boost::irange<Index>(0, static_cast<Index>(m_samples.size())));
+    measure<ConcurrencyTag>(all_samples());
   }
 
   // measures again the samples whose closest points are in these faces
@@ -95,7 +93,7 @@ public:
   template <typename ConcurrencyTag>
   void measure_exactly()
   {
-    search<ConcurrencyTag>(boost::irange<Index>(0, static_cast<Index>(m_samples.size())));
+    search<ConcurrencyTag>(all_samples());
   }
 
   // with the vertices at the initial points
@@ -179,8 +177,8 @@ private:
     Closest closest;
   };
 
-  // The farthest points of a flat reference most often are corners of it. Where it is finer than the remesh they are too many,
-  // and climbing leads to them.
+  // The farthest points of a flat reference most often are corners of it. Where it is much finer than the remesh they are too
+  // many, and climbing leads to them.
   template <typename ConcurrencyTag, typename HintOfFace>
   void take_samples(const HintOfFace& hint)
   {
@@ -194,7 +192,8 @@ private:
     };
     m_samples.reserve(n);
     take_area_samples<ConcurrencyTag>(m_reference, m_remesh, n, hint, add);
-    m_has_corners = m_reference.number_of_patches() <= n; // it has half as many corners
+    constexpr std::size_t most_patches_per_sample = 4; // with half as many corners
+    m_has_corners = m_reference.number_of_patches() <= most_patches_per_sample * n;
     if(m_has_corners)
       m_reference.for_each_corner([&](const auto& foot) { add(foot, 0); });
   }
@@ -217,7 +216,7 @@ private:
   double maximum(const Tree& tree) const
   {
     constexpr std::size_t max_samples = 256; // it trades time for a maximum that is elsewhere
-    const auto all = boost::irange<Index>(0, static_cast<Index>(m_samples.size()));
+    const std::vector<Index> all = all_samples();
     std::vector<Index> farthest((std::min)(max_samples, m_samples.size()));
     std::partial_sort_copy(all.begin(), all.end(), farthest.begin(), farthest.end(), [&](Index i, Index j) {
       return std::make_pair(-m_samples[i].distance, i) < std::make_pair(-m_samples[j].distance, j);
@@ -259,9 +258,16 @@ private:
     return { foot.patch, norm(query - tree.point(foot)) };
   }
 
+  std::vector<Index> all_samples() const
+  {
+    std::vector<Index> result(m_samples.size());
+    std::iota(result.begin(), result.end(), Index(0));
+    return result;
+  }
+
   // By walking from the last closest points, where these are near; where walking may have led astray by a search.
-  template <typename ConcurrencyTag, typename Indices>
-  void measure(const Indices& indices)
+  template <typename ConcurrencyTag>
+  void measure(const std::vector<Index>& indices)
   {
     constexpr double near = 0.1; // relative to the lengths of the edges; other sheets are thought to be farther away
     std::vector<char> is_sure(indices.size());
@@ -281,8 +287,8 @@ private:
     search<ConcurrencyTag>(unsure);
   }
 
-  template <typename ConcurrencyTag, typename Indices>
-  void search(const Indices& indices)
+  template <typename ConcurrencyTag>
+  void search(const std::vector<Index>& indices)
   {
     if(indices.empty())
       return;

@@ -201,8 +201,8 @@ private:
   // are too close to one of these.
   bool may_exceed(std::size_t f, double limit) const
   {
-    constexpr double small = 0.15, near = 0.6; // relative to the limit; they trade time for what is between the samples
-    constexpr double safety = 2;               // of the slopes
+    constexpr double small = 0.15, near = 0.35; // relative to the limit; they trade time for what is between the samples
+    constexpr double safety = 2;                // of the slopes
     const double sampled = sampled_maximum(f);
     if(sampled <= small * limit)
       return false;
@@ -265,8 +265,7 @@ private:
   {
     const Face_distances d = sample(f, m_remesh.next_points);
     const Point p = point_at(m_remesh.triangle(f, m_remesh.next_points), barycenter_coordinates);
-    const double near = near_by(maximum_on_sides(f), m_remesh.length_of_face(f));
-    const Foot foot = walk_or_search(m_reference, p, barycenter_hint(f), near);
+    const Foot foot = m_reference.project(p, barycenter_hint(f));
     const double at_barycenter = distance_to_foot(p, m_reference, foot);
     m_faces[f] = { static_cast<float>(d.mean), static_cast<float>(d.mean_square),
                    static_cast<float>((std::max)(d.max, at_barycenter)),

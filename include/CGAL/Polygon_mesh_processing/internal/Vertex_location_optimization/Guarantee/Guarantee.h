@@ -19,6 +19,7 @@
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Flip_criterion.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Fold_criterion.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Initial_quality.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Mean_comparison.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Moves.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/New_intersections.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Result_distances.h>
@@ -29,8 +30,6 @@
 
 #include <CGAL/Polygon_mesh_processing/Vertex_location_optimization_report.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <set>
 #include <utility>
@@ -91,8 +90,8 @@ public:
       m_distances_from_reference(reference, remesh), m_shapes{ { remesh, smallest_angles },
                                                                { remesh, Reference_normals{ m_distances } } },
       m_allow_move(allow_move), m_new_intersections(remesh, find_self_intersections), m_remesh(remesh),
-      m_corrections(corrections), m_moves(remesh, corrections), m_is_worse(remesh.number_of_faces(), false),
-      m_is_judged(remesh.number_of_faces(), false)
+      m_corrections(corrections), m_moves(remesh, corrections), m_mean(remesh, initial, m_distances, m_moves),
+      m_is_worse(remesh.number_of_faces(), false), m_is_judged(remesh.number_of_faces(), false)
   {
     if(guarantees_both_directions)
       m_distances_from_reference.template start<ConcurrencyTag>([&](std::size_t f) { return m_distances.hint(f); });
@@ -129,9 +128,7 @@ public:
         break;
       const std::set<Index> harmed = harmed_vertices();
       if(harmed.empty())
-      {
         return true;
-      }
       for(Index i : harmed)
         can_move[i] = false;
     }
@@ -176,8 +173,8 @@ private:
         result.insert(m_remesh.face(f).begin(), m_remesh.face(f).end());
     const auto add = [&](const Indices& vertices) { result.insert(vertices.begin(), vertices.end()); };
     add(vertices_that_raise_maximum_from_reference());
-    if(!is_mean_lower())
-      add(m_moves.vertices_with_positive_sum(initial_integrals_and_changes().second));
+    if(!m_mean.template is_lower<ConcurrencyTag>())
+      add(m_moves.vertices_with_positive_sum(m_mean.template initial_integrals_and_changes<ConcurrencyTag>().second));
     m_distances_from_reference.template measure_exactly<ConcurrencyTag>();
     if(!is_mean_from_reference_kept())
       add(m_moves.vertices_with_positive_sum(m_distances_from_reference.initial_integrals_and_changes().second));
@@ -223,71 +220,13 @@ private:
                : m_moves.vertices_with_most(m_is_worse);
   }
 
-  // How the integral of the distance over the faces that have moved has changed, less that of the mean over what they have
-  // grown by: the mean has fallen if the sum is negative. All others are as they were, whatever their samples say.
-  struct Change
-  {
-    double sum = 0, variance = 0;
-
-    Change& operator+=(const Change& other)
-    {
-      sum += other.sum;
-      variance += other.variance;
-      return *this;
-    }
-  };
-
-  double change(std::size_t f) const
-  {
-    if(!m_moves.has_moved(f))
-      return 0;
-    const double area = m_remesh.area(f, m_remesh.initial_points);
-    const double growth = m_remesh.area(f, m_remesh.next_points) - area;
-    return m_distances.integral(f) - area * m_initial.means[f] - m_initial.error.mean * growth;
-  }
-
-  // Whether the mean is lower than at first beyond what the samples may be wrong by. That must be more than nothing, or it may
-  // be higher.
-  bool is_mean_lower() const
-  {
-    constexpr double deviations = 2; // of the sum
-    const auto total = sum_over_indices<ConcurrencyTag, Change>(m_remesh.number_of_faces(), [&](std::size_t f) {
-      return Change{ change(f), m_moves.has_moved(f) ? m_distances.variance(f) : 0 };
-    });
-    return total.sum + deviations * std::sqrt(total.variance) <= negligible_distance() * total_area();
-  }
-
-  // what is less is rounding
-  double negligible_distance() const
-  {
-    constexpr double rounding = 1e-12; // relative to the lengths of the edges
-    const auto longest = std::max_element(m_remesh.lengths.begin(), m_remesh.lengths.end());
-    return longest == m_remesh.lengths.end() ? 0 : rounding * *longest;
-  }
-
-  double total_area() const
-  {
-    return sum_over_indices<ConcurrencyTag, double>(
-      m_remesh.number_of_faces(), [&](std::size_t f) { return m_remesh.area(f, m_remesh.initial_points); });
-  }
-
   // Shortens the moves that have raised the mean, unless it is lower than at first; returns whether there were any.
   bool lower_mean(Stage& stage)
   {
-    if(is_mean_lower())
+    if(m_mean.template is_lower<ConcurrencyTag>())
       return false;
-    const auto [initial, changes] = initial_integrals_and_changes();
+    const auto [initial, changes] = m_mean.template initial_integrals_and_changes<ConcurrencyTag>();
     return shorten_raising(stage, initial, changes);
-  }
-
-  std::pair<std::vector<double>, std::vector<double>> initial_integrals_and_changes() const
-  {
-    std::vector<double> initial(m_remesh.number_of_faces()), changes(initial.size());
-    for_each_index<ConcurrencyTag>(changes.size(), [&](std::size_t f) {
-      initial[f] = m_remesh.area(f, m_remesh.initial_points) * m_initial.means[f];
-      changes[f] = change(f);
-    });
-    return { std::move(initial), std::move(changes) };
   }
 
   Indices vertices_that_raise_maximum_from_reference() const
@@ -315,7 +254,7 @@ private:
   {
     constexpr double rounding = 1e-6; // of the distances, in single precision
     const double initial = m_distances_from_reference.initial_mean();
-    return m_distances_from_reference.mean() <= (1 + rounding) * initial + negligible_distance();
+    return m_distances_from_reference.mean() <= (1 + rounding) * initial + m_mean.negligible_distance();
   }
 
   Indices vertices_of(const Indices& faces) const
@@ -337,7 +276,9 @@ private:
 
   bool shorten_raising(Stage& stage, const std::vector<double>& initial, const std::vector<double>& changes)
   {
-    const bool is_shortened = m_moves.shorten_raising(initial, changes, stage.takes_back());
+    constexpr int max_rounds = 8; // they bound the time; afterwards all moves are taken back
+    const bool is_shortened = stage.round < max_rounds ? m_moves.shorten_raising(initial, changes, stage.takes_back())
+                                                       : m_moves.shorten(m_moves.moved_vertices(), stage.reason, true);
     stage.round += is_shortened;
     return is_shortened;
   }
@@ -351,6 +292,7 @@ private:
   Remesh& m_remesh;
   Corrections& m_corrections;
   Moves m_moves;
+  const Mean_comparison<Reference> m_mean;
   std::vector<char> m_is_worse, m_is_judged; // of the faces: whether it violates the guarantee, and whether that is known
 };
 

@@ -151,7 +151,7 @@ private:
   }
 
   template <typename Guarantee>
-  void report_result(const Guarantee& guarantee)
+  void report_result(Guarantee& guarantee)
   {
     count_corrected_vertices();
     m_report.moved_vertices = m_remesh.number_of_moved_vertices();

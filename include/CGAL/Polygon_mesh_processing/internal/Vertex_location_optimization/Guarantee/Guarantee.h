@@ -137,8 +137,9 @@ public:
     return false;
   }
 
-  Approximation_error error() const
+  Approximation_error error()
   {
+    m_distances.template complete<ConcurrencyTag>();
     Approximation_error result = m_distances.template error<ConcurrencyTag>();
     result.max = m_distances.maximum();
     return result;

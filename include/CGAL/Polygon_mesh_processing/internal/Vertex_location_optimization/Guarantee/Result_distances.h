@@ -124,11 +124,26 @@ public:
       if(has_moved(faces[k]))
         measure_face(faces[k]);
       else
+      {
         restore_face(faces[k]);
+        m_faces[faces[k]].mean_square = unknown;
+      }
     });
     for(Index i : vertices)
       m_points[i] = m_remesh.next_points[i];
     return faces;
+  }
+
+  // Measures what `update()` has left out of faces that are as they were at first, in the end.
+  template <typename ConcurrencyTag>
+  void complete()
+  {
+    for_each_index<ConcurrencyTag>(m_faces.size(), [&](std::size_t f) {
+      if(m_faces[f].mean_square != unknown)
+        return;
+      measure_face(f);
+      restore_face(f);
+    });
   }
 
   // over the whole remesh; the maximum is that of the samples, where walking may have missed closer points
@@ -272,11 +287,10 @@ private:
                    orientation_at(m_reference, foot, m_remesh.area_normal(f, m_remesh.next_points)) };
   }
 
-  // Face f is as it was at first: so are its means, whatever walking leads to.
+  // Face f is as it was at first: so is its mean, whatever walking leads to.
   void restore_face(std::size_t f)
   {
     m_faces[f].mean = m_initial.means[f];
-    m_faces[f].mean_square = m_initial.mean_squares[f];
     m_faces[f].orientation = m_initial.orientations[f];
   }
 

@@ -84,7 +84,7 @@ private:
   static constexpr double rounding = 1e-9;   // relative to the size of the triangle; below it the slopes are noise
   static constexpr double tolerance = 0.002; // of the result; it saves the last few parts
   static constexpr int max_level = 6;        // a part of that level is 1/64 as long as the triangle
-  static constexpr int max_cuts = 96; // it bounds the time where the slopes say little, between overlapping sheets, say
+  static constexpr int max_cuts = 256; // it bounds the time where the slopes say little, between overlapping sheets, say
 
   struct Sample
   {

@@ -211,31 +211,19 @@ public:
 private:
   const Hint& barycenter_hint(std::size_t f) const { return m_midpoints.hints[m_remesh.edge_at_first_vertex(f)]; }
 
-  // Whether the largest distance on face f may be larger than `limit`, given its samples; it is not thought to be
-  // if the samples are small, or if the slopes between those on the sides lead nowhere near to it; it is not if all points
-  // are too close to one of these.
+  // Whether the largest distance on face f may be larger than `limit`, given its samples: not if all points are too close to a
+  // corner or a midpoint of a side.
   bool may_exceed(std::size_t f, double limit) const
   {
-    constexpr double small = 0.15, near = 0.35; // relative to the limit; they trade time for what is between the samples
-    constexpr double safety = 2;                // of the slopes
+    constexpr double small = 0.15; // relative to the limit; where no sample is larger none is thought to be missing
     const double sampled = sampled_maximum(f);
     if(sampled <= small * limit)
       return false;
-    const std::array<Index, 3>&v = m_remesh.face(f), &e = m_remesh.face_edges[f];
     const std::array<Point, 3> t = m_remesh.triangle(f, m_remesh.next_points);
-    double slope = 0, longest2 = 0;
-    for(int k = 0; k < 3; ++k)
-    {
-      const int i = (k + 1) % 3, j = (k + 2) % 3;
-      const double side2 = squared_distance(t[i], t[j]), at_i = m_vertices.distances[v[i]],
-                   at_j = m_vertices.distances[v[j]], at_middle = m_midpoints.distances[e[k]];
-      const double parallel = m_midpoints.distances[e[i]] - m_midpoints.distances[e[j]];
-      const double change = (std::max)({ std::abs(at_i - at_middle), std::abs(at_j - at_middle), std::abs(parallel) });
-      slope = (std::max)(slope, change / std::sqrt(side2));
-      longest2 = (std::max)(longest2, side2);
-    }
+    const double longest2 =
+      (std::max)({ squared_distance(t[0], t[1]), squared_distance(t[1], t[2]), squared_distance(t[2], t[0]) });
     const double radius = std::sqrt(longest2 / 12); // no point is farther away from all corners and midpoints
-    return sampled + radius > limit && sampled + safety * 2 * slope * radius > near * limit;
+    return sampled + radius > limit;
   }
 
   Face_distances sample(std::size_t f, const std::vector<Point>& points) const

@@ -49,10 +49,9 @@ namespace Polygon_mesh_processing {
  * it did not before. No face has collapsed, to a smallest angle below 10 degrees, below half of what it was, and below
  * those of all faces around it at first. No edge is folded by more than a right angle that is also folded more sharply than
  * all edges at its ends were, by 5 degrees, and than the reference turns there, by 10 degrees. To that end the distance is
- * sampled at some 65536 points, from four to 576 on each face, and its maximum is searched for by branch and bound, with a
- * margin of 1%. Moves are shortened only where they do harm. If the mean still does not fall by more than 0.75%, the accuracy
- * with which two measured means can be compared, all moves are taken back. Section \ref secVLOGuarantee describes what the
- * samples may miss.
+ * sampled at 32768 points or more, from four to 576 on each face, and its maximum is searched for by branch and bound, with a
+ * margin of 1%. Moves are shortened only where they do harm. If the mean still does not fall by more than the accuracy with
+ * which the samples tell, all moves are taken back. Section \ref secVLOGuarantee describes what the samples may miss.
  *
  * The faces may have any number of corners. One with more than three stands for the mean of its fans, one from each of its
  * corners, all with the same weight: a quad is both its pairs of triangles, half each. So nothing depends on which corner comes

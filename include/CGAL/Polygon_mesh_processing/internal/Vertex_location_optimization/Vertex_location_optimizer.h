@@ -139,13 +139,10 @@ private:
   {
     m_visitor.start_phase(Phase::ENFORCE_GUARANTEE);
     auto samples = std::move(placement->samples()).take_offsets();
-    Points_and_faces area_samples;
-    if(m_options.guarantee_both_directions)
-      area_samples = std::move(placement->area_samples()).take();
     placement.reset();
     Guarantee<ConcurrencyTag, Reference, AllowMove, FindSelfIntersections> guarantee(
-      m_reference, m_initial_quality, m_smallest_angles, std::move(samples), std::move(area_samples), m_allow_move,
-      m_find_self_intersections, m_remesh, m_corrections);
+      m_reference, m_initial_quality, m_smallest_angles, std::move(samples), m_options.guarantee_both_directions,
+      m_allow_move, m_find_self_intersections, m_remesh, m_corrections);
     guarantee.enforce();
     if(m_options.preserve_volume && m_remesh.is_closed() && m_reference.is_closed())
       m_report.is_volume_preserved = guarantee.enclose(m_reference.template volume<ConcurrencyTag>());
@@ -154,7 +151,7 @@ private:
   }
 
   template <typename Guarantee>
-  void report_result(const Guarantee& guarantee)
+  void report_result(Guarantee& guarantee)
   {
     count_corrected_vertices();
     m_report.moved_vertices = m_remesh.number_of_moved_vertices();
@@ -164,7 +161,7 @@ private:
       m_report.final_error = guarantee.error();
     if(!m_options.guarantee_both_directions)
       return;
-    m_report.initial_error_from_reference = m_report.final_error_from_reference = m_initial_quality.error_from_reference;
+    m_report.initial_error_from_reference = m_report.final_error_from_reference = guarantee.initial_error_from_reference();
     if(m_report.moved_vertices > 0)
       m_report.final_error_from_reference = guarantee.error_from_reference();
   }

@@ -24,6 +24,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -37,133 +38,114 @@ struct Distant_sample
   Index face;         // at the next points
 };
 
-// The distance from the reference to the remesh with its vertices at the next points, sampled.
+// The distance from the reference to the remesh with its vertices at the initial and at the next points, at samples that are
+// taken for this alone: a remesh is closer to the samples that it was fitted to than to what is between them.
 template <typename Reference>
 class Distances_from_reference
 {
+  using Tree = Patch_tree<Flat_triangle>;
+
 public:
-  Distances_from_reference(const Reference& reference, const Remesh& remesh, Points_and_faces samples)
-    : m_reference(reference), m_remesh(remesh), m_samples(std::move(samples)), m_distances(m_samples.points.size())
-  {}
+  Distances_from_reference(const Reference& reference, const Remesh& remesh) : m_reference(reference), m_remesh(remesh) {}
 
-  bool empty() const { return m_distances.empty(); }
+  // Takes samples, and measures the initial points, exactly. `hint(f)` is a foot of face f on the reference.
+  template <typename ConcurrencyTag, typename HintOfFace>
+  void start(const HintOfFace& hint)
+  {
+    take_samples<ConcurrencyTag>(hint);
+    if(m_samples.empty())
+      return;
+    const Tree tree = make_face_tree(m_remesh, m_remesh.initial_points);
+    project_to_faces<ConcurrencyTag>(
+      tree, m_samples.size(), [&](std::size_t i) -> const Point& { return m_samples[i].point; },
+      [&](std::size_t i, const Patch_foot& foot) {
+        Sample& s = m_samples[i];
+        s.initial_face = s.face = foot.patch;
+        s.initial_distance = s.distance = static_cast<float>(norm(s.point - tree.point(foot)));
+      });
+    // what is closest to the surroundings is left out
+    const auto is_elsewhere = [&](const Sample& s) { return s.face >= m_remesh.number_of_faces(); };
+    m_samples.erase(std::remove_if(m_samples.begin(), m_samples.end(), is_elsewhere), m_samples.end());
+    m_initial_maximum = maximum(tree);
+  }
 
-  // measures the next points, by walking from the last closest points
+  // measures the next points
   template <typename ConcurrencyTag>
   void measure()
   {
-    for_each_index<ConcurrencyTag>(m_distances.size(), [&](std::size_t i) { measure_sample(i); });
+    measure<ConcurrencyTag>(all_samples());
   }
 
   // measures again the samples whose closest points are in these faces
   template <typename ConcurrencyTag>
   void update(const std::vector<Index>& faces)
   {
+    if(m_samples.empty())
+      return;
     std::vector<char> has_changed(m_remesh.number_of_faces(), false);
     for(Index f : faces)
       has_changed[f] = true;
-    for_each_index<ConcurrencyTag>(m_distances.size(), [&](std::size_t i) {
-      if(has_changed[m_samples.faces[i]])
-        measure_sample(i);
-    });
+    measure<ConcurrencyTag>(
+      find_indices<ConcurrencyTag>(m_samples.size(), [&](std::size_t i) { return has_changed[m_samples[i].face]; }));
+  }
+
+  // Where faces that were measured again, or walking, may have hidden closer points it is too soon to give up.
+  template <typename ConcurrencyTag>
+  void measure_exactly()
+  {
+    search<ConcurrencyTag>(all_samples());
+  }
+
+  // with the vertices at the initial points
+  template <typename ConcurrencyTag>
+  Approximation_error initial_error() const
+  {
+    return error<ConcurrencyTag>(&Sample::initial_distance, m_initial_maximum);
   }
 
   template <typename ConcurrencyTag>
   Approximation_error error() const
   {
-    return sum_over_indices<ConcurrencyTag, Error_integral>(
-             m_distances.size(), [&](std::size_t i) { return integral_of_sample(m_samples.weights[i], m_distances[i]); })
-      .error();
+    if(m_samples.empty())
+      return {};
+    return error<ConcurrencyTag>(&Sample::distance, maximum(make_face_tree(m_remesh, m_remesh.next_points)));
   }
 
-  // Where walking may have led astray it is too soon to give up: searches for all closest points, with the vertices at the
-  // next and at the initial points.
-  template <typename ConcurrencyTag>
-  void measure_exactly()
+  double initial_mean() const { return mean_of(&Sample::initial_distance); }
+  double mean() const { return mean_of(&Sample::distance); }
+
+  // The integrals of the distance that is closest to each face at first: there, and by how much they have grown.
+  std::pair<std::vector<double>, std::vector<double>> initial_integrals_and_changes() const
   {
-    const auto search = [&](const std::vector<Point>& points, std::vector<Index>& faces, std::vector<double>& distances) {
-      const Patch_tree<Flat_triangle> tree = make_face_tree(m_remesh, points);
-      for_each_index<ConcurrencyTag>(faces.size(), [&](std::size_t i) {
-        const Patch_foot foot = tree.project(m_samples.points[i], faces[i]);
-        if(foot.patch < m_remesh.number_of_faces()) // not one of the surroundings
-          faces[i] = foot.patch;
-        distances[i] = norm(m_samples.points[i] - tree.point(foot));
-      });
-    };
-    m_initial_faces = m_samples.faces;
-    m_initial_distances.resize(m_initial_faces.size());
-    search(m_remesh.initial_points, m_initial_faces, m_initial_distances);
-    search(m_remesh.next_points, m_samples.faces, m_distances);
-  }
-
-  bool is_exact() const { return !m_initial_distances.empty(); }
-
-  // the mean distance with the vertices at the initial points, once it has been measured exactly
-  double initial_mean() const
-  {
-    Error_integral sum;
-    for(std::size_t i = 0; i < m_initial_distances.size(); ++i)
-      sum += integral_of_sample(m_samples.weights[i], m_initial_distances[i]);
-    return sum.error().mean;
-  }
-
-  // Calls f(face, d) for each sample, with the face that was closest at first, and by how much the integral of the distance
-  // has grown; once it has been measured exactly.
-  template <typename F>
-  void for_each_change(const F& f) const
-  {
-    for(std::size_t i = 0; i < m_distances.size(); ++i)
-      f(m_initial_faces[i], m_samples.weights[i] * (m_distances[i] - m_initial_distances[i]));
-  }
-
-  // The largest distance, of the samples and of the points to which climbing from the largest of them leads.
-  double maximum() const
-  {
-    return largest_distance_from(m_reference, make_face_tree(m_remesh, m_remesh.next_points), m_samples.points, m_distances,
-                                 [&](Index i) { return m_samples.faces[i]; });
-  }
-
-  // The samples, and points between them to which climbing leads, whose distance exceeds `limit` and was less at first.
-  std::vector<Distant_sample> find_distant(const double limit) const
-  {
-    constexpr double close = 0.5; // relative to the limit; from samples of less climbing is not thought to lead above it
-    std::vector<Distant_sample> result;
-    std::vector<Index> candidates;
-    for(Index i = 0; i < m_distances.size(); ++i)
-      if(m_distances[i] > close * limit)
-        candidates.push_back(i);
-    if(candidates.empty())
-      return result;
-
-    // the points that are too far away now, with the faces that are closest, and then those that were not so far at first
-    struct Far_point
+    std::vector<double> initial(m_remesh.number_of_faces(), 0), changes = initial;
+    for(const Sample& s : m_samples)
     {
-      Point point;
-      Closest closest;
-    };
-    std::vector<Far_point> far_points;
-    {
-      const Patch_tree<Flat_triangle> tree = make_face_tree(m_remesh, m_remesh.next_points);
-      for(Index i : candidates)
-      {
-        const auto add = [&](const Point& q) {
-          const Closest now = closest_in(tree, q, m_samples.faces[i]);
-          if(now.distance > limit)
-            far_points.push_back({ q, now });
-        };
-        const Point& p = m_samples.points[i];
-        if(!(closest_in(tree, p, m_samples.faces[i]).distance > close * limit))
-          continue;
-        const auto height = [&](const auto& foot) {
-          return closest_in(tree, m_reference.point(foot), m_samples.faces[i]).distance;
-        };
-        add(p);
-        add(m_reference.point(m_reference.climb(m_reference.project(p), height)));
-      }
+      initial[s.initial_face] += double(s.weight) * s.initial_distance;
+      changes[s.initial_face] += s.weight * (double(s.distance) - s.initial_distance);
     }
+    return { std::move(initial), std::move(changes) };
+  }
+
+  // The samples, and corners of the reference to which climbing leads, whose distance exceeds the largest one with the
+  // initial points and what it was there.
+  std::vector<Distant_sample> find_distant() const
+  {
+    const double least = (m_has_corners ? 1 : close) * m_initial_maximum;
+    std::vector<Far_point> far_points;
+    std::vector<Index> candidates;
+    for(Index i = 0; i < m_samples.size(); ++i)
+      if(m_samples[i].distance > least)
+        candidates.push_back(i);
+    if(!candidates.empty())
+    {
+      const Tree tree = make_face_tree(m_remesh, m_remesh.next_points);
+      for(Index i : candidates)
+        add_far_points(m_samples[i], tree, least, far_points);
+    }
+    std::vector<Distant_sample> result;
     if(far_points.empty())
       return result;
-    const Patch_tree<Flat_triangle> initial_tree = make_face_tree(m_remesh, m_remesh.initial_points);
+    const Tree initial_tree = make_face_tree(m_remesh, m_remesh.initial_points); // one tree at a time
     for(const Far_point& q : far_points)
     {
       const Closest initial = closest_in(initial_tree, q.point, q.closest.face);
@@ -174,38 +156,160 @@ public:
   }
 
 private:
+  struct Sample
+  {
+    Point point;
+    float weight;             // the area that it stands for, in any unit; 0 in the corners of the reference
+    Index initial_face, face; // where the closest points are
+    float initial_distance, distance;
+  };
+
   struct Closest
   {
     Index face;
     double distance;
   };
 
-  static Closest closest_in(const Patch_tree<Flat_triangle>& tree, const Point& query, Index hint)
+  // a point that is too far away now, with the face that is closest
+  struct Far_point
+  {
+    Point point;
+    Closest closest;
+  };
+
+  // The farthest points of a flat reference most often are corners of it. Where it is much finer than the remesh they are too
+  // many, and climbing leads to them.
+  template <typename ConcurrencyTag, typename HintOfFace>
+  void take_samples(const HintOfFace& hint)
+  {
+    constexpr std::size_t samples_per_face = 5, least = 8192, most = 49152; // they trade time for exactness
+    const double area = m_reference.area();
+    if(!(area > 0))
+      return;
+    const std::size_t n = std::clamp(samples_per_face * m_remesh.number_of_faces(), least, most);
+    const auto add = [&](const auto& foot, double area_of_sample) {
+      m_samples.push_back({ m_reference.point(foot), static_cast<float>(area_of_sample / area * n), 0, 0, 0, 0 });
+    };
+    m_samples.reserve(n);
+    take_area_samples<ConcurrencyTag>(m_reference, m_remesh, n, hint, add);
+    constexpr std::size_t most_patches_per_sample = 4; // with half as many corners
+    m_has_corners = m_reference.number_of_patches() <= most_patches_per_sample * n;
+    if(m_has_corners)
+      m_reference.for_each_corner([&](const auto& foot) { add(foot, 0); });
+  }
+
+  double mean_of(float Sample::*distance) const { return error<Sequential_tag>(distance, 0).mean; }
+
+  template <typename ConcurrencyTag>
+  Approximation_error error(float Sample::*distance, const double max) const
+  {
+    Approximation_error result = sum_over_indices<ConcurrencyTag, Error_integral>(m_samples.size(), [&](std::size_t i) {
+                                   const double weight = m_samples[i].weight, d = m_samples[i].*distance;
+                                   return Error_integral{ weight, weight * d, weight * square(d), d };
+                                 }).error();
+    result.max = max;
+    return result;
+  }
+
+  // The largest distance to the faces in `tree`, of the samples with the largest distances and of the points to which
+  // climbing from these leads.
+  double maximum(const Tree& tree) const
+  {
+    constexpr std::size_t max_samples = 256; // it trades time for a maximum that is elsewhere
+    const std::vector<Index> all = all_samples();
+    std::vector<Index> farthest((std::min)(max_samples, m_samples.size()));
+    std::partial_sort_copy(all.begin(), all.end(), farthest.begin(), farthest.end(), [&](Index i, Index j) {
+      return std::make_pair(-m_samples[i].distance, i) < std::make_pair(-m_samples[j].distance, j);
+    });
+    double largest = 0;
+    for(Index i : farthest)
+    {
+      const Sample& s = m_samples[i];
+      const double distance = closest_in(tree, s.point, s.face).distance;
+      largest = (std::max)(largest, distance);
+      if(!m_has_corners && distance >= close * largest)
+        largest = (std::max)(largest, closest_in(tree, top(s, tree), s.face).distance);
+    }
+    return largest;
+  }
+
+  // the corner of the reference to which climbing leads from a sample
+  Point top(const Sample& s, const Tree& tree) const
+  {
+    const auto height = [&](const auto& foot) { return closest_in(tree, m_reference.point(foot), s.face).distance; };
+    return m_reference.point(m_reference.climb(m_reference.project(s.point), height));
+  }
+
+  void add_far_points(const Sample& s, const Tree& tree, const double least, std::vector<Far_point>& far_points) const
+  {
+    const auto add = [&](const Point& q) {
+      const Closest closest = closest_in(tree, q, s.face);
+      if(closest.distance > m_initial_maximum)
+        far_points.push_back({ q, closest });
+      return closest.distance > least;
+    };
+    if(add(s.point) && !m_has_corners)
+      add(top(s, tree));
+  }
+
+  static Closest closest_in(const Tree& tree, const Point& query, Index hint)
   {
     const Patch_foot foot = tree.project(query, hint);
     return { foot.patch, norm(query - tree.point(foot)) };
   }
 
-  Closest closest(const Point& query, const std::vector<Point>& points, Index face) const
+  std::vector<Index> all_samples() const
   {
-    Patch_foot foot{ face, Coordinates() };
-    walk_to_closest_point(m_remesh, points, query, foot);
-    return { foot.patch, norm(query - point_at(m_remesh.triangle(foot.patch, points), foot.coordinates)) };
+    std::vector<Index> result(m_samples.size());
+    std::iota(result.begin(), result.end(), Index(0));
+    return result;
   }
 
-  void measure_sample(std::size_t i)
+  // By walking from the last closest points, where these are near; where walking may have led astray by a search.
+  template <typename ConcurrencyTag>
+  void measure(const std::vector<Index>& indices)
   {
-    const Closest result = closest(m_samples.points[i], m_remesh.next_points, m_samples.faces[i]);
-    m_samples.faces[i] = result.face;
-    m_distances[i] = result.distance;
+    constexpr double near = 0.1; // relative to the lengths of the edges; other sheets are thought to be farther away
+    std::vector<char> is_sure(indices.size());
+    for_each_index<ConcurrencyTag>(indices.size(), [&](std::size_t k) {
+      Sample& s = m_samples[indices[k]];
+      Patch_foot foot{ s.face, Coordinates() };
+      walk_to_closest_point(m_remesh, m_remesh.next_points, s.point, foot);
+      const Point closest = point_at(m_remesh.triangle(foot.patch, m_remesh.next_points), foot.coordinates);
+      s.face = foot.patch;
+      s.distance = static_cast<float>(norm(s.point - closest));
+      is_sure[k] = s.distance <= near * m_remesh.length_of_face(s.face);
+    });
+    std::vector<Index> unsure;
+    for(std::size_t k = 0; k < is_sure.size(); ++k)
+      if(!is_sure[k])
+        unsure.push_back(indices[k]);
+    search<ConcurrencyTag>(unsure);
   }
+
+  template <typename ConcurrencyTag>
+  void search(const std::vector<Index>& indices)
+  {
+    if(indices.empty())
+      return;
+    const Tree tree = make_face_tree(m_remesh, m_remesh.next_points);
+    for_each_index<ConcurrencyTag>(indices.size(), [&](std::size_t k) {
+      Sample& s = m_samples[indices[k]];
+      const Closest closest = closest_in(tree, s.point, s.face);
+      if(closest.face < m_remesh.number_of_faces()) // not one of the surroundings
+        s.face = closest.face;
+      s.distance = static_cast<float>(closest.distance);
+    });
+  }
+
+  static constexpr double close =
+    0.7; // from samples of less, relative to the maximum, climbing is not thought to lead above
 
   const Reference& m_reference;
   const Remesh& m_remesh;
-  Points_and_faces m_samples;
-  std::vector<double> m_distances;
-  std::vector<Index> m_initial_faces; // and distances, with the vertices at the initial points, once they are needed
-  std::vector<double> m_initial_distances;
+  std::vector<Sample> m_samples;
+  bool m_has_corners = false; // of the reference, among the samples
+  double m_initial_maximum = 0;
 };
 
 } // namespace CGAL::Polygon_mesh_processing::internal::vertex_location

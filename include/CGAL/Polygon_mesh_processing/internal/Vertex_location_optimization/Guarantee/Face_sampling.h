@@ -46,7 +46,7 @@ public:
   explicit Face_sampling(const Mesh_arrays& mesh, const std::vector<Point>& points) : m_sides(mesh.number_of_faces())
   {
     // found by trial: the mean and the root mean square of meshes of all kinds are within 0.2%
-    constexpr double number_of_samples = 65536;
+    constexpr double number_of_samples = 32768;
     constexpr double max_side = 24; // for meshes of a few faces, where so many samples would be slow
     double area = 0;
     for(std::size_t f = 0; f < m_sides.size(); ++f)
@@ -82,11 +82,13 @@ public:
       result.mean_square += distance2;
       result.max = (std::max)(result.max, distance);
     });
-    const double count = square(double(m_sides[f]));
+    const double count = number_of_samples(f);
     result.mean /= count;
     result.mean_square /= count;
     return result;
   }
+
+  double number_of_samples(std::size_t f) const { return square(double(m_sides[f])); }
 
 private:
   template <typename F>

@@ -28,15 +28,16 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
-// Finds the point of a triangle that is farthest from the reference, by branch and bound: the triangle is cut into parts, and
-// those that cannot have a distance above the largest one known are discarded. How much larger than in its corners the
-// distance can be inside a part follows from its slopes, as measured there and in the part that it was cut from: the
-// distance is smooth, or at least the slopes of its pieces are of the same size.
+// Finds the point of a triangle that is farthest from the reference, by branch and bound: the triangle is cut into parts,
+// first where it may be farthest away, until none can have a distance above the largest one known. How much larger than in
+// its corners the distance can be inside a part follows from its slopes, as measured there and in the part that it was cut
+// from: the distance is smooth, or at least the slopes of its pieces are of the same size.
 template <typename Reference>
 class Farthest_point
 {
@@ -53,35 +54,37 @@ public:
     const double size = radius(t);
     const int min_level = level_of_reference(t, hint);
     constexpr double near = 0; // the corners are searched for
-    Part whole{ { sample(t, { 0, 0 }, hint, near), sample(t, { 1, 0 }, hint, near), sample(t, { 0, 1 }, hint, near) },
-                1,
-                0 };
     double largest = bound;
-    const auto is_done = [&] { return is_any_enough && largest > bound; };
-    boost::container::small_vector<Part, 64> parts{ whole };
-    for(const Sample& corner : whole.corners)
-      largest = (std::max)(largest, corner.distance);
-    while(!parts.empty() && !is_done())
+    boost::container::small_vector<Part, 64> parts; // a heap
+    const auto add = [&](Part part) {
+      for(const Sample& corner : part.corners)
+        largest = (std::max)(largest, corner.distance);
+      if(part.level == max_level)
+        return;
+      part.bound = part.level < min_level ? std::numeric_limits<double>::infinity() : upper_bound(part, size);
+      parts.push_back(part);
+      std::push_heap(parts.begin(), parts.end());
+    };
+    add({ { { sample(t, { 0, 0 }, hint, near), sample(t, { 1, 0 }, hint, near), sample(t, { 0, 1 }, hint, near) } }, 1, 0 });
+    for(int cuts = 0; !parts.empty() && cuts < max_cuts && !(is_any_enough && largest > bound); ++cuts)
     {
+      if(!(parts.front().bound > (1 + tolerance) * largest + rounding * size))
+        break;
+      std::pop_heap(parts.begin(), parts.end());
       const Part part = parts.back();
       parts.pop_back();
-      if(part.level >= min_level && upper_bound(part, size) <= (1 + tolerance) * largest + rounding * size)
-        continue;
       for(const Part& child : cut(t, part, largest))
-      {
-        for(const Sample& corner : child.corners)
-          largest = (std::max)(largest, corner.distance);
-        if(child.level < max_level)
-          parts.push_back(child);
-      }
+        add(child);
     }
     return largest;
   }
 
 private:
+  static constexpr double safety = 2;        // of the slopes; it trades time for what may be missed between the corners
   static constexpr double rounding = 1e-9;   // relative to the size of the triangle; below it the slopes are noise
   static constexpr double tolerance = 0.002; // of the result; it saves the last few parts
   static constexpr int max_level = 6;        // a part of that level is 1/64 as long as the triangle
+  static constexpr int max_cuts = 256; // it bounds the time where the slopes say little, between overlapping sheets, say
 
   struct Sample
   {
@@ -92,9 +95,12 @@ private:
 
   struct Part
   {
+    bool operator<(const Part& other) const { return bound < other.bound; }
+
     std::array<Sample, 3> corners;
-    double slope; // that the distance may have in it
-    int level;    // how often it was cut
+    double slope;     // that the distance may have in it
+    int level;        // how often it was cut
+    double bound = 0; // of the distance in it
   };
 
   // How often a triangle must be cut until its parts are no larger than the patches of the reference: before, a peak of the
@@ -170,8 +176,6 @@ private:
     }
     return result;
   }
-
-  static constexpr double safety = 2; // it trades time for what may be missed between the corners
 
   const Reference& m_reference;
 };

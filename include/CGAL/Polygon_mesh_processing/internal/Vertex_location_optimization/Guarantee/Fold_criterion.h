@@ -42,7 +42,7 @@ public:
     : m_remesh(remesh), m_reference_normals(reference_normals), m_sharpest(remesh.points.size(), 1)
   {
     for(Index e = 0; e < remesh.edges.size(); ++e)
-      if(may_fold(e))
+      if(may_fold(e) && is_folded(e, remesh.initial_points, cosine_of_relevant))
       {
         const double cosine = cosine_of_fold(e, remesh.initial_points);
         for(Index i : remesh.edges[e])
@@ -69,10 +69,9 @@ private:
   bool is_spike(Index e) const
   {
     constexpr double slack = CGAL_PI / 36, margin = CGAL_PI / 18; // 5 and 10 degrees, the latter for what is between samples
-    const double cosine = cosine_of_fold(e, m_remesh.next_points);
-    if(cosine >= 0) // less than a right angle is no spike
+    if(!is_folded(e, m_remesh.next_points, 0))                    // less than a right angle is no spike
       return false;
-    const double fold = std::acos((std::max)(cosine, -1.));
+    const double fold = std::acos((std::max)(cosine_of_fold(e, m_remesh.next_points), -1.));
     const auto [i, j] = m_remesh.edges[e];
     if(fold <= slack + std::acos(std::clamp((std::min)(m_sharpest[i], m_sharpest[j]), -1., 1.)))
       return false;
@@ -84,11 +83,22 @@ private:
     });
   }
 
+  // whether an edge is folded so much that the cosine is less than `limit`; faster than the cosine
+  bool is_folded(Index e, const std::vector<Point>& points, double limit) const
+  {
+    const auto [c, d] = m_remesh.edge_corners[e];
+    const Vector m = m_remesh.area_normal(c / 3, points), n = m_remesh.area_normal(d / 3, points);
+    const double product = m * n;
+    return product < 0 || (limit > 0 && square(product) < square(limit) * (m.squared_length() * n.squared_length()));
+  }
+
   double cosine_of_fold(Index e, const std::vector<Point>& points) const
   {
     const auto [c, d] = m_remesh.edge_corners[e];
     return normalized(m_remesh.area_normal(c / 3, points)) * normalized(m_remesh.area_normal(d / 3, points));
   }
+
+  static constexpr double cosine_of_relevant = 0.1; // of 84 degrees: sharper than less by the slack is no spike
 
   const Remesh& m_remesh;
   const ReferenceNormals m_reference_normals;

@@ -19,17 +19,17 @@
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Flip_criterion.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Fold_criterion.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Initial_quality.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Mean_comparison.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Moves.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/New_intersections.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Result_distances.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/shorten_moves.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Volume_correction.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Remesh.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Sampling/Area_samples.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Sampling/Remesh_samples.h>
 
 #include <CGAL/Polygon_mesh_processing/Vertex_location_optimization_report.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <set>
 #include <utility>
@@ -42,7 +42,8 @@ namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 //   - neither the largest nor the mean distance to the reference is above that of the initial remesh and, if that is
 //     asked for, neither of those from the reference;
 //   - no pair of faces intersects, if that is tested, that did not before.
-// Each stage halves moves where they violate it and no others; one that was halved often is taken back.
+// Each stage halves moves where they violate it and no others, for a number of rounds that bounds the time; then it takes
+// moves back.
 //
 // `AllowMove` is a functor (i, source, target) -> bool, `FindSelfIntersections` is a `Self_intersection_test`.
 template <typename ConcurrencyTag, typename Reference, typename AllowMove, typename FindSelfIntersections>
@@ -65,35 +66,47 @@ class Guarantee
     Fold_criterion<Reference_normals> folds;
   };
 
+  struct Stage
+  {
+    Correction reason;
+    int max_halvings; // rounds of them, which trade time for what is left of the moves
+    int round = 0;
+
+    bool takes_back() const { return round >= max_halvings; }
+  };
+
 public:
-  // `samples` and `area_samples` are those of the points of the remesh
+  // `samples` are those of the points of the remesh
   Guarantee(const Reference& reference,
-            Initial_quality& initial,
+            const Initial_quality& initial,
             const Smallest_angles& smallest_angles,
             Remesh_sample_offsets<typename Reference::Hint> samples,
-            Points_and_faces area_samples,
+            const bool guarantees_both_directions,
             const AllowMove& allow_move,
             const FindSelfIntersections& find_self_intersections,
             Remesh& remesh,
             Corrections& corrections)
-    : m_initial(initial), m_distances(reference, remesh, std::move(samples)),
-      m_distances_from_reference(reference, remesh, std::move(area_samples)),
-      m_shapes{ { remesh, smallest_angles }, { remesh, Reference_normals{ m_distances } } }, m_allow_move(allow_move),
-      m_new_intersections(remesh, find_self_intersections), m_remesh(remesh), m_corrections(corrections),
-      m_is_worse(remesh.number_of_faces(), false), m_number_of_halvings(remesh.points.size(), 0)
-  {}
+    : m_initial(initial), m_distances(reference, remesh, initial, std::move(samples)),
+      m_distances_from_reference(reference, remesh), m_shapes{ { remesh, smallest_angles },
+                                                               { remesh, Reference_normals{ m_distances } } },
+      m_allow_move(allow_move), m_new_intersections(remesh, find_self_intersections), m_remesh(remesh),
+      m_corrections(corrections), m_moves(remesh, corrections), m_mean(remesh, initial, m_distances, m_moves),
+      m_is_worse(remesh.number_of_faces(), false), m_is_judged(remesh.number_of_faces(), false)
+  {
+    if(guarantees_both_directions)
+      m_distances_from_reference.template start<ConcurrencyTag>([&](std::size_t f) { return m_distances.hint(f); });
+  }
 
   void enforce()
   {
     keep_shapes();
     m_distances.template measure<ConcurrencyTag>();
     m_distances_from_reference.template measure<ConcurrencyTag>();
-    for_each_index<ConcurrencyTag>(m_is_worse.size(), [&](std::size_t f) { m_is_worse[f] = is_worse(f); });
-    while(shorten(vertices_with_most_worse_faces(), Correction::ERROR) ||
-          shorten(vertices_that_raise_mean(), Correction::ERROR) ||
-          shorten(vertices_that_raise_maximum_from_reference(), Correction::ERROR) ||
-          shorten(vertices_that_raise_mean_from_reference(), Correction::ERROR) ||
-          shorten(m_new_intersections.find_vertices(), Correction::INTERSECTION))
+    Stage mean{ Correction::ERROR, 2 }, faces{ Correction::ERROR, 8 }, maximum_back{ Correction::ERROR, 5 },
+      mean_back{ Correction::ERROR, 2 }, intersections{ Correction::INTERSECTION, 3 };
+    while(lower_mean(mean) || shorten(faces, vertices_of_worse_faces(faces.takes_back())) ||
+          shorten(maximum_back, vertices_that_raise_maximum_from_reference()) || lower_mean_from_reference(mean_back) ||
+          shorten(intersections, m_new_intersections.find_vertices()))
     {
       keep_shapes();
       measure_again();
@@ -124,43 +137,50 @@ public:
     return false;
   }
 
-  Approximation_error error() const
+  Approximation_error error()
   {
+    m_distances.template complete<ConcurrencyTag>();
     Approximation_error result = m_distances.template error<ConcurrencyTag>();
     result.max = m_distances.maximum();
     return result;
   }
 
-  // 0 if that is not sampled
-  Approximation_error error_from_reference() const
+  // these are 0 if that is not sampled
+
+  Approximation_error initial_error_from_reference() const
   {
-    Approximation_error result = m_distances_from_reference.template error<ConcurrencyTag>();
-    if(!m_distances_from_reference.empty())
-      result.max = m_distances_from_reference.maximum();
-    return result;
+    return m_distances_from_reference.template initial_error<ConcurrencyTag>();
   }
+
+  Approximation_error error_from_reference() const { return m_distances_from_reference.template error<ConcurrencyTag>(); }
 
 private:
   void measure_again()
   {
     const Indices changed = m_distances.template update<ConcurrencyTag>();
     m_distances_from_reference.template update<ConcurrencyTag>(changed);
-    for_each_index<ConcurrencyTag>(changed.size(), [&](std::size_t k) { m_is_worse[changed[k]] = is_worse(changed[k]); });
+    for(Index f : changed)
+      m_is_judged[f] = false;
   }
 
   // The vertices with moves that violate one of the guarantees.
   std::set<Index> harmed_vertices()
   {
     measure_again();
+    judge_faces();
     std::set<Index> result = m_new_intersections.find_vertices();
     for(std::size_t f = 0; f < m_remesh.number_of_faces(); ++f)
       if(m_is_worse[f] || m_shapes.is_violated_by(f))
         result.insert(m_remesh.face(f).begin(), m_remesh.face(f).end());
-    for(const Indices& vertices : { vertices_that_raise_mean(), vertices_that_raise_maximum_from_reference(),
-                                    vertices_that_raise_mean_from_reference() })
-      result.insert(vertices.begin(), vertices.end());
+    const auto add = [&](const Indices& vertices) { result.insert(vertices.begin(), vertices.end()); };
+    add(vertices_that_raise_maximum_from_reference());
+    if(!m_mean.template is_lower<ConcurrencyTag>())
+      add(m_moves.vertices_with_positive_sum(m_mean.template initial_integrals_and_changes<ConcurrencyTag>().second));
+    m_distances_from_reference.template measure_exactly<ConcurrencyTag>();
+    if(!is_mean_from_reference_kept())
+      add(m_moves.vertices_with_positive_sum(m_distances_from_reference.initial_integrals_and_changes().second));
     for(std::size_t i = 0; i < m_remesh.points.size(); ++i)
-      if(is_moved(i) && !m_allow_move(i, m_remesh.initial_points[i], m_remesh.next_points[i]))
+      if(m_moves.is_moved(i) && !m_allow_move(i, m_remesh.initial_points[i], m_remesh.next_points[i]))
         result.insert(static_cast<Index>(i));
     return result;
   }
@@ -177,121 +197,65 @@ private:
 
   // Whether face f has moved and its largest distance exceeds that of the initial remesh and its own at first, or it opposes
   // more normals of the reference than at first.
-  bool is_worse(std::size_t f) const
+  bool is_worse(std::size_t f)
   {
     constexpr double margin = 0.99; // for what is between the samples
-    return has_moved(f) &&
+    return m_moves.has_moved(f) &&
            (m_distances.orientation(f) > m_initial.orientations[f] || m_distances.exceeds(f, margin * m_initial.error.max));
   }
 
-  // of each face that is worse the vertex with the most of them
-  Indices vertices_with_most_worse_faces() const
+  void judge_faces()
   {
-    const auto key = [&](Index i) {
-      int number = -m_number_of_halvings[i];
-      m_remesh.for_each_corner(i, [&](Index c) { number += m_is_worse[c / 3]; });
-      return number;
-    };
-    Indices result;
-    for(Index f : find_indices<ConcurrencyTag>(m_is_worse.size(), [&](std::size_t f) { return m_is_worse[f]; }))
-    {
-      Index best = no_index;
-      for(Index i : m_remesh.face(f))
-        if(is_moved(i) && (best == no_index || key(i) > key(best) || (key(i) == key(best) && i < best)))
-          best = i;
-      if(best != no_index)
-        result.push_back(best);
-    }
-    return result;
-  }
-
-  bool is_lower(double mean, double initial) const
-  {
-    // of the difference of two means; what is gained must be more, or it may be none
-    constexpr double accuracy = 0.0075;
-    constexpr double rounding = 1e-12; // relative to the lengths of edges; for where there is no distance
-    const auto longest = std::max_element(m_remesh.lengths.begin(), m_remesh.lengths.end());
-    return longest == m_remesh.lengths.end() || mean <= (1 - accuracy) * initial + rounding * *longest;
-  }
-
-  // If the mean is not lower than at first: the vertices whose faces have contributed to that.
-  Indices vertices_that_raise_mean()
-  {
-    if(is_lower(mean(), m_initial.error.mean))
-      return {};
-    if(!m_distances.is_exact())
-      measure_exactly();
-    if(is_lower(mean(), m_initial.error.mean))
-      return {};
-    // A face raises the mean by its integral less that of the mean over its area.
-    std::vector<double> changes(m_remesh.number_of_faces());
-    for_each_index<ConcurrencyTag>(changes.size(), [&](std::size_t f) {
-      const double growth = m_remesh.area(f, m_remesh.next_points) - m_remesh.area(f, m_remesh.initial_points);
-      changes[f] = m_distances.integral(f) - m_initial_integrals[f] - m_initial.error.mean * growth;
+    for_each_index<ConcurrencyTag>(m_is_worse.size(), [&](std::size_t f) {
+      if(!m_is_judged[f])
+        m_is_worse[f] = is_worse(f);
+      m_is_judged[f] = true;
     });
-    return vertices_with_positive_sum(changes);
   }
 
-  double mean() const { return m_distances.template error<ConcurrencyTag>().mean; }
-
-  // the distances to the reference, at first and now
-  void measure_exactly()
+  // all of them, or of each such face the vertex with the most of them
+  Indices vertices_of_worse_faces(const bool all)
   {
-    m_distances.template measure_exactly<ConcurrencyTag>();
-    m_initial_integrals.resize(m_remesh.number_of_faces());
-    for_each_index<ConcurrencyTag>(m_initial_integrals.size(),
-                                   [&](std::size_t f) { m_initial_integrals[f] = m_distances.initial_integral(f); });
-    Error_integral sum;
-    for(std::size_t f = 0; f < m_initial_integrals.size(); ++f)
-      sum += { m_remesh.area(f, m_remesh.initial_points), m_initial_integrals[f], 0, 0 };
-    m_initial.error.mean = sum.error().mean;
+    judge_faces();
+    return all ? vertices_of(find_indices<ConcurrencyTag>(m_is_worse.size(), [&](std::size_t f) { return m_is_worse[f]; }))
+               : m_moves.vertices_with_most(m_is_worse);
   }
 
-  // The vertices that have moved and among which the changes of their faces, shared by those that have moved, have a
-  // positive sum; all that have moved if there is none. While the sum over all faces is positive there is one.
-  Indices vertices_with_positive_sum(const std::vector<double>& changes) const
+  // Shortens the moves that have raised the mean, unless it is lower than at first; returns whether there were any.
+  bool lower_mean(Stage& stage)
   {
-    std::vector<double> sums(m_remesh.points.size(), 0);
-    for(std::size_t f = 0; f < changes.size(); ++f)
-    {
-      const auto& v = m_remesh.face(f);
-      const auto number = std::count_if(v.begin(), v.end(), [&](Index i) { return is_moved(i); });
-      for(Index i : v)
-        if(is_moved(i))
-          sums[i] += changes[f] / number;
-    }
-    const Indices result = find_indices<ConcurrencyTag>(sums.size(), [&](std::size_t i) { return sums[i] > 0; });
-    return !result.empty() ? result : find_indices<ConcurrencyTag>(sums.size(), [&](std::size_t i) { return is_moved(i); });
+    if(m_mean.template is_lower<ConcurrencyTag>())
+      return false;
+    const auto [initial, changes] = m_mean.template initial_integrals_and_changes<ConcurrencyTag>();
+    return shorten_raising(stage, initial, changes);
   }
 
   Indices vertices_that_raise_maximum_from_reference() const
   {
     Indices faces;
-    for(const Distant_sample& sample : m_distances_from_reference.find_distant(m_initial.error_from_reference.max))
+    for(const Distant_sample& sample : m_distances_from_reference.find_distant())
       for(Index f : { sample.initial_face, sample.face })
         faces.push_back(f);
     return vertices_of(faces);
   }
 
-  Indices vertices_that_raise_mean_from_reference()
+  bool lower_mean_from_reference(Stage& stage)
   {
-    const auto is_enough = [&] {
-      constexpr double rounding = 1e-12; // it need not be lower: it is not what is optimized
-      return m_distances_from_reference.template error<ConcurrencyTag>().mean <=
-             (1 + rounding) * m_initial.error_from_reference.mean;
-    };
-    if(is_enough())
-      return {};
-    if(!m_distances_from_reference.is_exact())
-    {
-      m_distances_from_reference.template measure_exactly<ConcurrencyTag>();
-      m_initial.error_from_reference.mean = m_distances_from_reference.initial_mean();
-    }
-    if(is_enough())
-      return {};
-    std::vector<double> changes(m_remesh.number_of_faces(), 0);
-    m_distances_from_reference.for_each_change([&](Index f, double growth) { changes[f] += growth; });
-    return vertices_with_positive_sum(changes);
+    if(is_mean_from_reference_kept())
+      return false;
+    m_distances_from_reference.template measure_exactly<ConcurrencyTag>();
+    if(is_mean_from_reference_kept())
+      return false;
+    const auto [initial, changes] = m_distances_from_reference.initial_integrals_and_changes();
+    return shorten_raising(stage, initial, changes);
+  }
+
+  // it need not be lower: it is not what is optimized
+  bool is_mean_from_reference_kept() const
+  {
+    constexpr double rounding = 1e-6; // of the distances, in single precision
+    const double initial = m_distances_from_reference.initial_mean();
+    return m_distances_from_reference.mean() <= (1 + rounding) * initial + m_mean.negligible_distance();
   }
 
   Indices vertices_of(const Indices& faces) const
@@ -303,36 +267,24 @@ private:
     return result;
   }
 
-  // Halves the moves of these vertices, or takes them back if that has been done often enough; returns whether there were any.
   template <typename Vertices>
-  bool shorten(const Vertices& vertices, const Correction reason)
+  bool shorten(Stage& stage, const Vertices& vertices)
   {
-    // they bound the time; afterwards moves are taken back
-    const int max_rounds = m_distances.is_exact() ? 5 : 10;
-    bool is_shortened = false;
-    for(Index i : std::set<Index>(vertices.begin(), vertices.end()))
-      if(is_moved(i))
-      {
-        if(m_round >= max_rounds)
-          m_remesh.next_points[i] = m_remesh.initial_points[i];
-        else
-          halve_move(m_remesh.initial_points[i], m_remesh.next_points[i], m_number_of_halvings[i]);
-        m_corrections.add(i, reason);
-        is_shortened = true;
-      }
-    m_round += is_shortened;
+    const bool is_shortened = m_moves.shorten(vertices, stage.reason, stage.takes_back());
+    stage.round += is_shortened;
     return is_shortened;
   }
 
-  bool has_moved(std::size_t f) const
+  bool shorten_raising(Stage& stage, const std::vector<double>& initial, const std::vector<double>& changes)
   {
-    const auto& v = m_remesh.face(f);
-    return std::any_of(v.begin(), v.end(), [&](Index i) { return is_moved(i); });
+    constexpr int max_rounds = 8; // they bound the time; afterwards all moves are taken back
+    const bool is_shortened = stage.round < max_rounds ? m_moves.shorten_raising(initial, changes, stage.takes_back())
+                                                       : m_moves.shorten(m_moves.moved_vertices(), stage.reason, true);
+    stage.round += is_shortened;
+    return is_shortened;
   }
 
-  bool is_moved(std::size_t i) const { return m_remesh.next_points[i] != m_remesh.initial_points[i]; }
-
-  Initial_quality& m_initial; // its means become exact if they must
+  const Initial_quality& m_initial;
   Result_distances<Reference> m_distances;
   Distances_from_reference<Reference> m_distances_from_reference;
   Shape_criterion m_shapes;
@@ -340,10 +292,9 @@ private:
   New_intersections<FindSelfIntersections> m_new_intersections;
   Remesh& m_remesh;
   Corrections& m_corrections;
-  std::vector<char> m_is_worse; // of the faces
-  std::vector<unsigned char> m_number_of_halvings;
-  std::vector<double> m_initial_integrals; // of the distance over each face, once they are needed
-  int m_round = 0;
+  Moves m_moves;
+  const Mean_comparison<Reference> m_mean;
+  std::vector<char> m_is_worse, m_is_judged; // of the faces: whether it violates the guarantee, and whether that is known
 };
 
 } // namespace CGAL::Polygon_mesh_processing::internal::vertex_location

@@ -35,8 +35,8 @@ namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 // What the guarantee compares with: M_0.
 struct Initial_quality
 {
-  Approximation_error error;                // of the distance to the reference; its maximum is rather less than more
-  Approximation_error error_from_reference; // 0 if that is not sampled
+  Approximation_error error; // of the distance to the reference; its maximum is rather less than more
+  std::vector<float> means;  // of that distance, on the faces
   std::vector<Face_orientation> orientations;
 };
 
@@ -49,7 +49,7 @@ Initial_quality measure_initial_quality(const Reference& reference,
 {
   constexpr bool is_exact = true; // where walking leads astray the distance is too large, and the result could be, too
   const Face_sampling sampling(remesh, remesh.points);
-  std::vector<double> maxima(remesh.number_of_faces());
+  std::vector<float> means(remesh.number_of_faces()), maxima(means.size());
   const auto integral = sum_over_indices<ConcurrencyTag, Error_integral>(remesh.number_of_faces(), [&](std::size_t f) {
     std::array<typename Reference::Foot, 3> feet, midpoint_feet;
     for(int k = 0; k < 3; ++k)
@@ -59,12 +59,13 @@ Initial_quality measure_initial_quality(const Reference& reference,
     }
     const Face_distances d = sampling.measure(reference, f, remesh.triangle(f), feet, midpoint_feet,
                                               measure.distances.maximum_on_sides(remesh, f), is_exact);
-    maxima[f] = (std::max)(d.max, measure.distances.maximum(remesh, f));
+    maxima[f] = static_cast<float>((std::max)(d.max, measure.distances.maximum(remesh, f)));
+    means[f] = static_cast<float>(d.mean);
     const double area = remesh.area(f);
     return Error_integral{ area, area * d.mean, area * d.mean_square, maxima[f] };
   });
 
-  Initial_quality quality{ integral.error(), measure.error_from_reference, std::move(measure.orientations) };
+  Initial_quality quality{ integral.error(), std::move(means), std::move(measure.orientations) };
   quality.error.max = largest_distance(
     reference, remesh, remesh.points, [&](std::size_t f) { return maxima[f]; },
     [&](std::size_t f) { return samples.vertices.hint(remesh.first_vertex(f)); });

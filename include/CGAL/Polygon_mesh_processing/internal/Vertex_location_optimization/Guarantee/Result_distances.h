@@ -18,6 +18,7 @@
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Measure/Error_integral.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Face_sampling.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Farthest_point.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Initial_quality.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Measure/Face_orientation.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Remesh.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Sampling/Remesh_samples.h>
@@ -39,6 +40,8 @@ class Result_distances
 {
   using Foot = typename Reference::Foot;
   using Hint = typename Reference::Hint;
+
+  static constexpr float unknown = -1; // a distance that is not measured
 
   // The distances at some queries, and where to search for their closest points.
   struct Samples
@@ -71,9 +74,13 @@ class Result_distances
 
 public:
   // `samples` are those of the points of the remesh, with which it goes on
-  Result_distances(const Reference& reference, const Remesh& remesh, Remesh_sample_offsets<Hint> samples)
-    : m_reference(reference), m_remesh(remesh), m_sampling(remesh, remesh.initial_points), m_vertices(samples.vertices),
-      m_midpoints(samples.midpoints), m_points(remesh.points), m_faces(remesh.number_of_faces())
+  Result_distances(const Reference& reference,
+                   const Remesh& remesh,
+                   const Initial_quality& initial,
+                   Remesh_sample_offsets<Hint> samples)
+    : m_reference(reference), m_remesh(remesh), m_initial(initial), m_sampling(remesh, remesh.initial_points),
+      m_vertices(samples.vertices), m_midpoints(samples.midpoints), m_points(remesh.points),
+      m_faces(remesh.number_of_faces()), m_initial_maxima(remesh.number_of_faces(), unknown)
   {}
 
   // Measures the next points.
@@ -87,19 +94,11 @@ public:
         if(f + ahead < m_remesh.number_of_faces())
           m_reference.prefetch(barycenter_hint(f + ahead));
         measure_face(f);
+        if(!has_moved(f))
+          restore_face(f);
       });
     m_points = m_remesh.next_points;
   }
-
-  // Where walking may have led astray it is too soon to give up: from now on all closest points are searched for.
-  template <typename ConcurrencyTag>
-  void measure_exactly()
-  {
-    m_is_exact = true;
-    measure<ConcurrencyTag>();
-  }
-
-  bool is_exact() const { return m_is_exact; }
 
   // Measures again what has changed since; returns the faces, in increasing order.
   template <typename ConcurrencyTag>
@@ -121,10 +120,30 @@ public:
     }
     for_each_index<ConcurrencyTag>(vertices.size(), [&](std::size_t k) { measure_vertex(vertices[k]); });
     for_each_index<ConcurrencyTag>(edges.size(), [&](std::size_t k) { measure_midpoint(edges[k]); });
-    for_each_index<ConcurrencyTag>(faces.size(), [&](std::size_t k) { measure_face(faces[k]); });
+    for_each_index<ConcurrencyTag>(faces.size(), [&](std::size_t k) {
+      if(has_moved(faces[k]))
+        measure_face(faces[k]);
+      else
+      {
+        restore_face(faces[k]);
+        m_faces[faces[k]].mean_square = unknown;
+      }
+    });
     for(Index i : vertices)
       m_points[i] = m_remesh.next_points[i];
     return faces;
+  }
+
+  // Measures what `update()` has left out of faces that are as they were at first, in the end.
+  template <typename ConcurrencyTag>
+  void complete()
+  {
+    for_each_index<ConcurrencyTag>(m_faces.size(), [&](std::size_t f) {
+      if(m_faces[f].mean_square != unknown)
+        return;
+      measure_face(f);
+      restore_face(f);
+    });
   }
 
   // over the whole remesh; the maximum is that of the samples, where walking may have missed closer points
@@ -143,10 +162,11 @@ public:
   // the integral over face f
   double integral(std::size_t f) const { return m_remesh.area(f, m_remesh.next_points) * m_faces[f].mean; }
 
-  // the same with the vertices at their initial points
-  double initial_integral(std::size_t f) const
+  // of that integral, as the samples tell
+  double variance(std::size_t f) const
   {
-    return m_remesh.area(f, m_remesh.initial_points) * sample(f, m_remesh.initial_points).mean;
+    const double of_samples = (std::max)(0., m_faces[f].mean_square - square(double(m_faces[f].mean)));
+    return square(m_remesh.area(f, m_remesh.next_points)) * of_samples / m_sampling.number_of_samples(f);
   }
 
   // at the barycenter of face f
@@ -171,24 +191,40 @@ public:
   }
 
   // Whether the largest distance on face f is larger than `limit` and than with the initial points.
-  bool exceeds(std::size_t f, double limit) const
+  bool exceeds(std::size_t f, double limit)
   {
-    constexpr double small = 0.15; // relative to the limit; where no sample is larger none is thought to be missing
-    const double sampled = sampled_maximum(f);
-    if(sampled <= small * limit)
+    if(!may_exceed(f, limit))
       return false;
     const Farthest_point<Reference> farthest(m_reference);
     const std::array<Point, 3> t = m_remesh.triangle(f, m_remesh.next_points);
     if(!(farthest(t, hint(f), limit, true) > limit))
       return false;
-    const double initial = farthest(m_remesh.triangle(f, m_remesh.initial_points), hint(f), limit);
+    float& initial = m_initial_maxima[f];
+    if(initial == unknown)
+      initial = static_cast<float>(farthest(m_remesh.triangle(f, m_remesh.initial_points), hint(f), limit));
     return farthest(t, hint(f), initial, true) > initial;
   }
 
-private:
-  // for the first corner of face f, and for its barycenter
+  // a foot near to face f
   const Hint& hint(std::size_t f) const { return m_vertices.hints[m_remesh.first_vertex(f)]; }
+
+private:
   const Hint& barycenter_hint(std::size_t f) const { return m_midpoints.hints[m_remesh.edge_at_first_vertex(f)]; }
+
+  // Whether the largest distance on face f may be larger than `limit`, given its samples: not if all points are too close to a
+  // corner or a midpoint of a side.
+  bool may_exceed(std::size_t f, double limit) const
+  {
+    constexpr double small = 0.15; // relative to the limit; where no sample is larger none is thought to be missing
+    const double sampled = sampled_maximum(f);
+    if(sampled <= small * limit)
+      return false;
+    const std::array<Point, 3> t = m_remesh.triangle(f, m_remesh.next_points);
+    const double longest2 =
+      (std::max)({ squared_distance(t[0], t[1]), squared_distance(t[1], t[2]), squared_distance(t[2], t[0]) });
+    const double radius = std::sqrt(longest2 / 12); // no point is farther away from all corners and midpoints
+    return sampled + radius > limit;
+  }
 
   Face_distances sample(std::size_t f, const std::vector<Point>& points) const
   {
@@ -198,8 +234,13 @@ private:
       feet[k] = m_vertices.hints[m_remesh.face(f)[k]];
       midpoint_feet[k] = m_midpoints.hints[m_remesh.face_edges[f][k]];
     }
-    return m_sampling.measure(m_reference, f, m_remesh.triangle(f, points), feet, midpoint_feet, maximum_on_sides(f),
-                              m_is_exact);
+    return m_sampling.measure(m_reference, f, m_remesh.triangle(f, points), feet, midpoint_feet, maximum_on_sides(f));
+  }
+
+  bool has_moved(std::size_t f) const
+  {
+    const std::array<Index, 3>& v = m_remesh.face(f);
+    return std::any_of(v.begin(), v.end(), [&](Index i) { return m_remesh.next_points[i] != m_remesh.initial_points[i]; });
   }
 
   double maximum_on_sides(std::size_t f) const
@@ -234,13 +275,21 @@ private:
                    orientation_at(m_reference, foot, m_remesh.area_normal(f, m_remesh.next_points)) };
   }
 
+  // Face f is as it was at first: so is its mean, whatever walking leads to.
+  void restore_face(std::size_t f)
+  {
+    m_faces[f].mean = m_initial.means[f];
+    m_faces[f].orientation = m_initial.orientations[f];
+  }
+
   const Reference& m_reference;
   const Remesh& m_remesh;
+  const Initial_quality& m_initial;
   const Face_sampling m_sampling;
   Samples m_vertices, m_midpoints;
   std::vector<Point> m_points; // of the vertices, for which the samples were taken
   std::vector<Face> m_faces;
-  bool m_is_exact = false;
+  std::vector<float> m_initial_maxima; // of the distances on the faces, once they are needed
 };
 
 } // namespace CGAL::Polygon_mesh_processing::internal::vertex_location

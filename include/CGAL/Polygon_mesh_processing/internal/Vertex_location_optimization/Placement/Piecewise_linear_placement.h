@@ -58,7 +58,7 @@ class Piecewise_linear_placement : public Placement<Reference>
 
 public:
   Piecewise_linear_placement(const Reference& reference, Remesh& remesh, const Optimization_options& options)
-    : Base(reference, remesh, Sample_set::MIDPOINT_LOCATIONS, options.guarantee_both_directions),
+    : Base(reference, remesh, Sample_set::MIDPOINT_LOCATIONS, false),
       m_number_of_relaxation_steps(options.number_of_relaxation_steps)
   {}
 

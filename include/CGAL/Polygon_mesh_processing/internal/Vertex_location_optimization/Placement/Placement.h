@@ -81,16 +81,13 @@ public:
 
   Remesh_samples<Reference>& samples() { return m_samples; }
 
-  // of the reference; empty if they are not taken
-  Area_samples& area_samples() { return m_area_samples; }
-
 protected:
   template <typename ConcurrencyTag>
   Initial_measure start_samples()
   {
     Initial_measure measure = m_samples.template start<ConcurrencyTag>(m_reference, m_remesh);
     if(m_takes_area_samples)
-      measure.error_from_reference = m_area_samples.template start<ConcurrencyTag>(
+      m_area_samples.template start<ConcurrencyTag>(
         m_reference, m_remesh, [&](std::size_t f) { return m_samples.midpoints.hint(m_remesh.edge_at_first_vertex(f)); });
     return measure;
   }
@@ -98,7 +95,7 @@ protected:
   const Reference& m_reference;
   Remesh& m_remesh;
   Remesh_samples<Reference> m_samples;
-  Area_samples m_area_samples;
+  Area_samples m_area_samples; // of the reference; empty if they are not taken
   const bool m_takes_area_samples;
 };
 

@@ -20,6 +20,7 @@
 #include <CGAL/Polygon_mesh_processing/Vertex_location_optimization_report.h>
 
 #include <array>
+#include <cstddef>
 #include <type_traits>
 #include <utility>
 
@@ -44,6 +45,8 @@ namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 //   for_each_area_sample(n, m, hint, area, f)
 //                                 calls f(foot, a) for some n points spread over the surface, each of which stands for the
 //                                 area a; near the feet hint(0), ..., hint(m - 1) a is proportional to area(k)
+//   for_each_corner(f)            calls f(foot) for each corner of its patches, once where these meet
+//   number_of_patches()
 //   climb(foot, value)            the point to which climbing from `foot` leads, with the height value(foot)
 //   is_closed(), volume<Tag>()    whether it encloses a volume, and that
 //   summary<ConcurrencyTag>()     its kind, and how far it is from the faces of its mesh
@@ -78,6 +81,10 @@ public:
   template <typename HintAt, typename AreaAt, typename F>
   void for_each_area_sample(std::size_t, std::size_t, const HintAt&, const AreaAt&, const F&) const
   {}
+  template <typename F>
+  void for_each_corner(const F&) const
+  {}
+  std::size_t number_of_patches() const { return 0; }
   template <typename Value>
   Foot climb(const Foot& foot, const Value&) const
   {

@@ -191,6 +191,22 @@ public:
     sample_patches(m_tree.patches(), n, m, hint, area, f);
   }
 
+  std::size_t number_of_patches() const { return m_neighbors.size(); }
+
+  template <typename F>
+  void for_each_corner(const F& f) const
+  {
+    constexpr std::array<Coordinates, 3> corners{ { { 0, 0 }, { 1, 0 }, { 0, 1 } } };
+    for(Index i = 0; i < m_neighbors.size(); ++i)
+      for(const Coordinates& corner : corners)
+      {
+        const Foot foot{ i, corner };
+        const Feet feet = feet_at(foot);
+        if(std::none_of(feet.begin(), feet.end(), [&](const Foot& other) { return other.patch < i; }))
+          f(foot);
+      }
+  }
+
   // The point to which climbing from `foot` leads, where value(foot) is no lower than around it: from corner to corner of
   // the patches.
   template <typename Value>

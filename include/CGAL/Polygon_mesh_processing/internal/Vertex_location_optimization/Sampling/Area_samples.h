@@ -15,7 +15,6 @@
 
 #include <CGAL/license/Vertex_location_optimization.h>
 
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Measure/Error_integral.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/Flat_triangle.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/Patch_tree.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Remesh.h>
@@ -74,54 +73,46 @@ inline Patch_tree<Flat_triangle> make_face_tree(const Remesh& remesh, const std:
   return Patch_tree<Flat_triangle>(std::move(triangles));
 }
 
-// The largest distance from the reference to the faces in `tree`, of `points` and of the points to which climbing from those
-// with the largest of `distances` leads, but for negative ones. `face(i)` is a face near to point i.
-template <typename Reference, typename Face>
-double largest_distance_from(const Reference& reference,
-                             const Patch_tree<Flat_triangle>& tree,
-                             const std::vector<Point>& points,
-                             const std::vector<double>& distances,
-                             const Face& face)
+// Takes points spread over a reference, as densely as the faces of the remesh: calls f(foot, area) for each of some n, which
+// stands for that area. `hint(f)` is a foot of face f on the reference.
+template <typename ConcurrencyTag, typename Reference, typename HintOfFace, typename F>
+void take_area_samples(
+  const Reference& reference, const Remesh& remesh, const std::size_t n, const HintOfFace& hint, const F& f)
 {
-  constexpr std::size_t max_samples = 256; // it trades time for a maximum that is elsewhere
-  std::vector<Index> order(points.size());
-  std::iota(order.begin(), order.end(), Index(0));
-  const auto end = order.begin() + (std::min)(max_samples, order.size());
-  std::partial_sort(order.begin(), end, order.end(),
-                    [&](Index i, Index j) { return distances[i] != distances[j] ? distances[i] > distances[j] : i < j; });
-  double largest = 0;
-  for(auto i = order.begin(); i != end && distances[*i] >= 0; ++i)
-  {
-    const auto height_of_point = [&](const Point& p) { return norm(p - tree.point(tree.project(p, face(*i)))); };
-    const auto height = [&](const auto& foot) { return height_of_point(reference.point(foot)); };
-    const auto top = reference.climb(reference.project(points[*i]), height);
-    largest = (std::max)({ largest, height_of_point(points[*i]), height(top) });
-  }
-  return largest;
+  const std::size_t number_of_faces = remesh.number_of_faces();
+  // where faces are large, on thin parts, say, samples are as close as on an average
+  const auto squared_length = [&](std::size_t k) { return square(remesh.length_of_face(k)); };
+  const double mean =
+    sum_over_indices<ConcurrencyTag, double>(number_of_faces, squared_length) / static_cast<double>(number_of_faces);
+  const auto area = [&](std::size_t k) { return (std::min)(squared_length(k), mean); };
+  reference.for_each_area_sample(n, number_of_faces, hint, area, f);
 }
 
-// what a sample at this distance adds, which stands for the area `weight`
-inline Error_integral integral_of_sample(const double weight, const double distance)
+// Calls f(i, foot) for each of n points, with the closest point of the faces in `tree`. Neighbors among the points follow each
+// other: the face of one is a hint for the next.
+template <typename ConcurrencyTag, typename PointAt, typename F>
+void project_to_faces(const Patch_tree<Flat_triangle>& tree, const std::size_t n, const PointAt& point, const F& f)
 {
-  return { weight, weight * distance, weight * square(distance), distance };
+  constexpr std::size_t block_size = 64;
+  for_each_block<ConcurrencyTag>(n, block_size, [&](std::size_t begin, std::size_t end) {
+    Index hint = no_index;
+    for(std::size_t i = begin; i < end; ++i)
+    {
+      const Patch_foot foot = tree.project(point(i), hint);
+      hint = foot.patch;
+      f(i, foot);
+    }
+  });
 }
-
-// Points of the reference, each with the face of the remesh that is closest.
-struct Points_and_faces
-{
-  std::vector<Point> points;
-  std::vector<float> weights; // the areas that they stand for, in any unit
-  std::vector<Index> faces;
-};
 
 // Points spread over the reference, as densely as the faces of the remesh, each with the closest point of the remesh, in the
 // order of the faces that these were in at first: most stay there. There are none if the reference cannot be sampled.
 class Area_samples
 {
 public:
-  // Takes the samples; returns the distance from the reference. `hint(f)` is a foot of face f on the reference.
+  // Takes the samples. `hint(f)` is a foot of face f on the reference.
   template <typename ConcurrencyTag, typename Reference, typename HintOfFace>
-  Approximation_error start(const Reference& reference, const Remesh& remesh, const HintOfFace& hint)
+  void start(const Reference& reference, const Remesh& remesh, const HintOfFace& hint)
   {
     constexpr std::size_t samples_per_face = 6; // of the remesh; they take most of the time and memory of the fit
     const Index number_of_faces = static_cast<Index>(remesh.number_of_faces());
@@ -133,12 +124,7 @@ public:
       m_points.reserve(n);
       m_normals.reserve(n);
       m_weights.reserve(n);
-      // where faces are large, on thin parts, say, samples are as close as on an average
-      const auto squared_length = [&](std::size_t f) { return square(remesh.length_of_face(f)); };
-      const double mean =
-        sum_over_indices<ConcurrencyTag, double>(number_of_faces, squared_length) / static_cast<double>(number_of_faces);
-      const auto area = [&](std::size_t f) { return (std::min)(squared_length(f), mean); };
-      reference.for_each_area_sample(n, number_of_faces, hint, area, [&](const auto& foot, double area_of_sample) {
+      take_area_samples<ConcurrencyTag>(reference, remesh, n, hint, [&](const auto& foot, double area_of_sample) {
         m_points.push_back(reference.point(foot));
         m_normals.push_back(reference.normal(foot));
         m_weights.push_back(static_cast<float>(area_of_sample / m_area));
@@ -149,10 +135,12 @@ public:
     if(m_points.empty())
     {
       group_by_face(number_of_faces);
-      return {};
+      return;
     }
     std::vector<Index> faces(m_points.size());
-    const Approximation_error error = find_closest_faces<ConcurrencyTag>(reference, remesh, faces);
+    project_to_faces<ConcurrencyTag>(
+      make_face_tree(remesh, remesh.points), m_points.size(), [&](std::size_t i) -> const Point& { return m_points[i]; },
+      [&](std::size_t i, const Patch_foot& foot) { faces[i] = foot.patch; });
     // what is closest to the surroundings comes last, and is left out
     const auto group_of = [&](Index i) { return (std::min)(faces[i], number_of_faces); };
     std::vector<Index> order = Index_groups(number_of_faces + 1, faces.size(), group_of).members();
@@ -166,7 +154,6 @@ public:
       m_feet[i] = { face, closest_on_triangle(remesh.triangle(face), m_points[i]) };
     });
     group_by_face(number_of_faces);
-    return error;
   }
 
   // Finds the closest points for `remesh.points` from the last ones, but keeps those on faces whose vertices have gone no
@@ -187,14 +174,6 @@ public:
     group_by_face(remesh.number_of_faces());
   }
 
-  // the points, and the faces that are closest to them, for good
-  Points_and_faces take() &&
-  {
-    Points_and_faces result{ std::move(m_points), std::move(m_weights), std::vector<Index>(m_feet.size()) };
-    std::transform(m_feet.begin(), m_feet.end(), result.faces.begin(), [](const Patch_foot& foot) { return foot.patch; });
-    return result;
-  }
-
   // calls f(point, normal, area, coordinates) for each sample whose closest point is in the face, with the area of the
   // reference that it stands for and the coordinates of the closest point
   template <typename F>
@@ -205,32 +184,6 @@ public:
   }
 
 private:
-  // Finds the faces of the remesh, or of its surroundings, that are closest; returns the distance from the reference to the
-  // former. Neighbors among the samples follow each other: the face of one is a hint for the next.
-  template <typename ConcurrencyTag, typename Reference>
-  Approximation_error find_closest_faces(const Reference& reference, const Remesh& remesh, std::vector<Index>& faces) const
-  {
-    const Patch_tree<Flat_triangle> tree = make_face_tree(remesh, remesh.points);
-    std::vector<double> distances(faces.size());
-    constexpr std::size_t block_size = 64;
-    constexpr double of_surroundings = -1;
-    for_each_block<ConcurrencyTag>(faces.size(), block_size, [&](std::size_t begin, std::size_t end) {
-      Index hint = no_index;
-      for(std::size_t i = begin; i < end; ++i)
-      {
-        const Patch_foot foot = tree.project(m_points[i], hint);
-        faces[i] = hint = foot.patch;
-        distances[i] = foot.patch < remesh.number_of_faces() ? norm(m_points[i] - tree.point(foot)) : of_surroundings;
-      }
-    });
-    const auto integral = sum_over_indices<ConcurrencyTag, Error_integral>(faces.size(), [&](std::size_t i) {
-      return distances[i] < 0 ? Error_integral() : integral_of_sample(m_weights[i], distances[i]);
-    });
-    Approximation_error error = integral.error();
-    error.max = largest_distance_from(reference, tree, m_points, distances, [&](Index i) { return faces[i]; });
-    return error;
-  }
-
   void group_by_face(const std::size_t number_of_faces)
   {
     m_samples_of_faces = Index_groups(number_of_faces, m_feet.size(), [&](Index i) { return m_feet[i].patch; });

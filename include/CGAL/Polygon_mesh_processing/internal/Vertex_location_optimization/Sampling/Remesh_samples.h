@@ -22,8 +22,6 @@
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Sampling/Closest_points.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/for_each_element.h>
 
-#include <CGAL/Polygon_mesh_processing/Vertex_location_optimization_report.h>
-
 #include <boost/container/small_vector.hpp>
 
 #include <array>
@@ -38,7 +36,6 @@ struct Initial_measure
 {
   Distance_samples distances;
   std::vector<Face_orientation> orientations; // at the barycenters of the faces
-  Approximation_error error_from_reference;   // 0 if that is not sampled
 };
 
 // The samples that a placement takes beside those at the vertices and at the midpoints of the edges.
@@ -73,7 +70,7 @@ public:
   template <typename ConcurrencyTag>
   Initial_measure start(const Reference& reference, const Remesh& remesh)
   {
-    Initial_measure measure{ Distance_samples(remesh), std::vector<Face_orientation>(remesh.number_of_faces()), {} };
+    Initial_measure measure{ Distance_samples(remesh), std::vector<Face_orientation>(remesh.number_of_faces()) };
     for_each_element<ConcurrencyTag>(
       remesh,
       [&](std::size_t i) {

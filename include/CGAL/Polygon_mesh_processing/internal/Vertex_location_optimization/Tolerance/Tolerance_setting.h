@@ -1,10 +1,19 @@
 // Copyright (c) 2026 The Vertex_location_optimization authors.
 // All rights reserved.
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+//
+// Author(s)     : The Vertex_location_optimization authors
 
 #ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_TOLERANCE_SETTING_H
 #define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_TOLERANCE_SETTING_H
+
+#include <CGAL/license/Vertex_location_optimization.h>
 
 #include <CGAL/Polygon_mesh_processing/Flat_triangle_surface.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/Mesh_arrays.h>

@@ -9,12 +9,14 @@
 //
 // The models are those of CGAL's data, and lucy.off and david.off of the paper, where a directory has them. Prints the
 // tables, with the figures of the paper beside; writes them to quality.csv, and the curves of the figure to
-// error_by_vertices_MODEL.csv. At last, what the parameter `regularity_weight` trades, and trade_off_MODEL.csv.
+// error_by_vertices_MODEL.csv. Then how near to the limits of piecewise linear surfaces least squares comes, by the curvatures
+// of the input. At last, what the parameter `regularity_weight` trades, and trade_off_MODEL.csv.
 // plot_curves.gp draws the curves.
 //
 // Four numbers in a row are those of the remesh, of the two placement methods, and of a least squares fit as one sparse
 // linear system. Distances are in 1e-4 of the longest side of the bounding box.
 
+#include "limits.h"
 #include "measures.h"
 #include "models.h"
 #include "normals.h"
@@ -107,6 +109,8 @@ int main(int argc, char* argv[])
     make_table_1(directories, csv);
     make_table_2(directories, csv);
     print_table_of_normals(directories);
+    std::cout << "Limits\n\n";
+    print_table_of_limits(std::cout);
     make_trade_off({ "armadillo", read_model(data_file("armadillo")), 0.03 }, std::cout);
     if(!csv)
       throw std::runtime_error("quality.csv cannot be written");

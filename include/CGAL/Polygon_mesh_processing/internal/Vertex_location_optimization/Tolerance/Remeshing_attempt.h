@@ -20,6 +20,7 @@
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/named_parameters.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Tolerance/measure_deviations.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Tolerance/split_faces.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Tolerance/Tolerance_setting.h>
 #include <CGAL/Polygon_mesh_processing/optimize_vertex_locations.h>
 #include <CGAL/Polygon_mesh_processing/Tolerance_report.h>
 
@@ -33,37 +34,6 @@
 #include <vector>
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
-
-inline double tolerated_value(const Approximation_error& error, Tolerated_error kind)
-{
-  return kind == MAXIMUM_ERROR ? error.max : kind == MEAN_ERROR ? error.mean : error.rms;
-}
-
-inline double tolerated_value(const Tolerance_report& report, Tolerated_error kind)
-{
-  return (std::max)(tolerated_value(report.to_reference, kind), tolerated_value(report.from_reference, kind));
-}
-
-// What the remesher has to keep, in the order in which the input, or a copy of it, has its edges and vertices: the constrained
-// edges, and their corners and those of the border, where the curve does not pass straight through a vertex.
-struct Kept_elements
-{
-  std::vector<char> edges;
-  std::vector<char> vertices;
-};
-
-// What all attempts have in common: the input, the reference and what is tolerated.
-template <typename TriangleMesh, typename Surface>
-struct Tolerance_setting
-{
-  const TriangleMesh& input;
-  const Flat_triangle_surface<TriangleMesh>& input_surface;
-  const Mesh_arrays& input_arrays;
-  const Kept_elements& kept;
-  const Surface& surface;
-  double tolerance;
-  Tolerated_error kind;
-};
 
 // One remesh: made, optimized, refined where it is beyond the tolerance, and measured.
 template <typename ConcurrencyTag, typename TriangleMesh, typename Surface, typename NamedParameters, typename Visitor>

@@ -37,7 +37,8 @@ namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 // Finds the point of a triangle that is farthest from the reference, by branch and bound: the triangle is cut into parts,
 // first where it may be farthest away, until none can have a distance above the largest one known. How much larger than in
 // its corners the distance can be inside a part follows from its slopes, as measured there and in the part that it was cut
-// from: the distance is smooth, or at least the slopes of its pieces are of the same size.
+// from: the distance is smooth, or at least the slopes of its pieces are of the same size. Where the triangle is not much larger
+// than the distance itself, that is not assumed.
 template <typename Reference>
 class Farthest_point
 {
@@ -80,6 +81,7 @@ public:
   }
 
 private:
+  static constexpr double large = 8;         // the size, relative to the largest distance, above which slopes are trusted
   static constexpr double safety = 2;        // of the slopes; it trades time for what may be missed between the corners
   static constexpr double rounding = 1e-9;   // relative to the size of the triangle; below it the slopes are noise
   static constexpr double tolerance = 0.002; // of the result; it saves the last few parts
@@ -157,7 +159,9 @@ private:
       steepest = (std::max)(steepest, child.slope);
     }
     // where the distance is smooth its slopes change by half as much over half the length
-    const double inherited = part.level == 0 ? steepest : part.slope / 2;
+    double inherited = part.level == 0 ? steepest : part.slope / 2;
+    if(radius(t) < large * largest)
+      inherited = 1; // no distance is steeper; to be certain takes few cuts here
     for(Part& child : children)
       child.slope = std::clamp(child.slope, (std::min)(inherited, 1.), 1.);
     return children;

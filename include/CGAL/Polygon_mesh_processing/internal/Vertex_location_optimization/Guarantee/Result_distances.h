@@ -28,6 +28,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -201,7 +202,7 @@ public:
       return false;
     float& initial = m_initial_maxima[f];
     if(initial == unknown)
-      initial = static_cast<float>(farthest(m_remesh.triangle(f, m_remesh.initial_points), hint(f), limit));
+      initial = rounded_up(farthest(m_remesh.triangle(f, m_remesh.initial_points), hint(f), limit));
     return farthest(t, hint(f), initial, true) > initial;
   }
 
@@ -210,6 +211,12 @@ public:
 
 private:
   const Hint& barycenter_hint(std::size_t f) const { return m_midpoints.hints[m_remesh.edge_at_first_vertex(f)]; }
+
+  // to single precision: what has not changed must not seem to be more
+  static float rounded_up(const double x)
+  {
+    return std::nextafter(static_cast<float>(x), std::numeric_limits<float>::infinity());
+  }
 
   // Whether the largest distance on face f may be larger than `limit`, given its samples: not if all points are too close to a
   // corner or a midpoint of a side.

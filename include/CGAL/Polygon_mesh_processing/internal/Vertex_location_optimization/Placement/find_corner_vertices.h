@@ -107,6 +107,7 @@ public:
         it->second = corner.point;
     }
     std::vector<Corner_vertex> result;
+    result.reserve(corner_of_vertex.size());
     for(const auto& [i, corner] : corner_of_vertex)
       result.push_back({ i, corner });
     return result;

@@ -9,6 +9,7 @@
 #include "Distance_to_mesh.h"
 #include "Exact_sphere.h"
 #include "mesh_quality.h"
+#include "search_for_edge_length.h"
 #include "test_meshes.h"
 
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
@@ -27,80 +28,12 @@ namespace params = CGAL::parameters;
 using PMP::internal::vertex_location::Edge_length_search;
 using Report = PMP::Tolerance_report;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 // The largest distance between the points of two meshes, measured by other means than the package's.
 double hausdorff_distance(const Mesh& a, const Mesh& b)
 {
   const Distance_to_mesh to_a(a), to_b(b);
   return (std::max)(measure_errors(a, 12, [&](const Point& p) { return to_b(p); }).max,
                     measure_errors(b, 4, [&](const Point& p) { return to_a(p); }).max);
-}
-
-struct Search_result
-{
-  double edge_length = 0;
-  int attempts = 0;
-};
-
-// the search alone, for a given error by edge length
-template <typename Error>
-Search_result search(double first, const Error& error)
-{
-  Edge_length_search search(first, 1e-4, 1, 0.02);
-  Search_result result;
-  for(; !search.is_finished() && result.attempts < 50; ++result.attempts)
-  {
-    const double length = search.next_length(), e = error(length);
-    CHECK(length >= 1e-4 && length <= 1);
-    if(e <= 1)
-      result.edge_length = (std::max)(result.edge_length, length);
-    search.add({ length, e, e <= 1, static_cast<std::size_t>(1 / (length * length)) });
-  }
-  return result;
-}
-
-void test_search()
-{
-  start_topic("The search finds where a power reaches the tolerance");
-  for(double exponent : { 1., 1.5, 2., 3. })
-    for(double first : { 0.01, 0.03, 0.045, 0.05, 0.055, 0.07, 0.25 })
-    {
-      const Search_result result = search(first, [&](double h) { return std::pow(h / 0.05, exponent); });
-      CHECK_AT_MOST(result.edge_length, 0.05 * (1 + 1e-12));
-      CHECK_AT_LEAST(result.edge_length, 0.05 / 1.02 * (1 - 1e-9));
-      CHECK_AT_MOST(result.attempts, 7);
-    }
-
-  start_topic("Noise in the error");
-  for(int seed = 0; seed < 50; ++seed)
-  {
-    CGAL::Random random(seed);
-    const auto noisy = [&](double h) { return std::pow(h / 0.05, 2) * random.get_double(0.95, 1.05); };
-    const Search_result result = search(0.08, noisy);
-    CHECK_AT_LEAST(result.edge_length, 0.05 * 0.95); // the error there is 0.9 +- 0.045
-    CHECK_AT_MOST(result.attempts, 8);
-  }
-
-  start_topic("Errors that are no power");
-  const Search_result step = search(0.2, [](double h) { return h < 0.05 ? 0.5 : infinity; });
-  CHECK_LESS(step.edge_length, 0.05);
-  CHECK_AT_LEAST(step.edge_length, 0.05 / 1.02 * (1 - 1e-9));
-  CHECK_AT_MOST(step.attempts, 12);
-  CHECK_EQUAL(search(0.2, [](double) { return infinity; }).edge_length, 0);
-  CHECK_AT_MOST(search(0.2, [](double) { return infinity; }).attempts, 12);
-  CHECK_EQUAL(search(0.2, [](double) { return 0.; }).edge_length, 1);
-  CHECK_AT_MOST(search(0.2, [](double) { return 0.; }).attempts, 3);
-
-  start_topic("A remesher that ignores the edge length");
-  for(double error : { 0.3, 3. })
-  {
-    Edge_length_search search(0.1, 1e-4, 1, 0.02);
-    int attempts = 0;
-    for(; !search.is_finished() && attempts < 50; ++attempts)
-      search.add({ search.next_length(), error, error <= 1, 100 });
-    CHECK_AT_MOST(attempts, 3);
-  }
 }
 
 struct Counting_visitor : PMP::Tolerance_default_visitor

@@ -302,8 +302,8 @@ private:
     });
   }
 
-  static constexpr double close =
-    0.7; // from samples of less, relative to the maximum, climbing is not thought to lead above
+  // relative to the maximum; from samples of less, climbing is not thought to lead above it
+  static constexpr double close = 0.7;
 
   const Reference& m_reference;
   const Remesh& m_remesh;

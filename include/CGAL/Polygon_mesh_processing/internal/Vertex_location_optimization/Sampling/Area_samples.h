@@ -31,8 +31,8 @@
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
 // Moves `foot`, a point of a mesh by its face, to the point closest to `query` as far as walking from face to face, with the
-// vertices at `points`, leads closer: from a foot on the boundary of its face to all faces around. `Reference_patches` walks across sides alone, from
-// patch to patch; here each step is cheap, and the faces fold more.
+// vertices at `points`, leads closer: from a foot on the boundary of its face to all faces around. `Reference_patches` walks
+// across sides alone, from patch to patch; here each step is cheap, and the faces fold more.
 inline void
 walk_to_closest_point(const Remesh& remesh, const std::vector<Point>& points, const Point& query, Patch_foot& foot)
 {

@@ -91,6 +91,9 @@ int main()
 
   start_topic("The optimized knot scales and moves with the input");
   const Mesh knot = read_model("knot1");
-  check_equivariance(make_remesh(knot, 0.04), knot);
+  const Mesh knot_remesh = make_remesh(knot, 0.04);
+  check_equivariance(knot_remesh, knot);
+  check_equivariance<PMP::Flat_triangle_surface<Mesh>>(knot_remesh, knot);
+  check_equivariance_of_least_squares(knot_remesh, knot);
   return test_result();
 }

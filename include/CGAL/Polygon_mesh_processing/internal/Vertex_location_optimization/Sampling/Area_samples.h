@@ -61,6 +61,33 @@ walk_to_closest_point(const Remesh& remesh, const std::vector<Point>& points, co
   }
 }
 
+// The same point of the mesh, in the first of the faces that it is on the boundary of: rounding chooses among them.
+inline Patch_foot in_first_face(const Remesh& remesh, const Patch_foot& foot)
+{
+  const std::array<double, 3> lambda = foot.coordinates.barycentric();
+  const auto is_on_side = [&](int k) { return lambda[k] <= boundary_tolerance; };
+  Index first = 3 * foot.patch;
+  std::array<double, 3> mu = lambda;
+  const auto take_if_first = [&](Index corner, double at_corner, double at_next) {
+    if(corner / 3 >= first / 3)
+      return;
+    first = corner;
+    mu[corner % 3] = at_corner;
+    mu[(corner + 1) % 3] = at_next;
+    mu[(corner + 2) % 3] = 1 - at_corner - at_next;
+  };
+  for(int k = 0; k < 3; ++k)
+    if(is_on_side((k + 1) % 3) && is_on_side((k + 2) % 3))
+      remesh.for_each_corner(remesh.face(foot.patch)[k], [&](Index c) { take_if_first(c, 1, 0); });
+    else if(is_on_side(k)) // the common edge runs the other way in the other face
+    {
+      const Index across = remesh.corner_across(3 * foot.patch + k);
+      if(across != no_index)
+        take_if_first(across, 0, lambda[(k + 2) % 3]);
+    }
+  return { first / 3, { mu[1], mu[2] } };
+}
+
 // The faces with the vertices at `points`, for closest points; those of the surroundings follow.
 inline Patch_tree<Flat_triangle> make_face_tree(const Remesh& remesh, const std::vector<Point>& points)
 {
@@ -151,7 +178,7 @@ public:
     m_feet.resize(order.size());
     for_each_index<ConcurrencyTag>(m_feet.size(), [&](std::size_t i) {
       const Index face = faces[order[i]];
-      m_feet[i] = { face, closest_on_triangle(remesh.triangle(face), m_points[i]) };
+      m_feet[i] = in_first_face(remesh, { face, closest_on_triangle(remesh.triangle(face), m_points[i]) });
     });
     group_by_face(number_of_faces);
   }
@@ -169,7 +196,10 @@ public:
     });
     for_each_index<ConcurrencyTag>(m_points.size(), [&](std::size_t i) {
       if(m_travels[m_feet[i].patch] > tolerance)
+      {
         walk_to_closest_point(remesh, remesh.points, m_points[i], m_feet[i]);
+        m_feet[i] = in_first_face(remesh, m_feet[i]);
+      }
     });
     group_by_face(remesh.number_of_faces());
   }

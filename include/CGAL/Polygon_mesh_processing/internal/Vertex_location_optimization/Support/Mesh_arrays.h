@@ -25,8 +25,8 @@
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
-// A triangle mesh in contiguous arrays, in an order in which what is close in space is close in memory: the vertices along
-// a space-filling curve, edges and faces in the order of their first vertices, with which they begin.
+// A triangle mesh in contiguous arrays, in an order in which what is close on the mesh is close in memory: see
+// `Vertex_order`. Edges and faces are in the order of their first vertices, with which they begin.
 //
 // Corner c = 3 f + k is the corner k of face f. The edge opposite to corner k of f is `face_edges[f][k]`: it goes from
 // the corner k + 1 to the corner k + 2 of f, or back.

@@ -18,18 +18,14 @@
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/Face_reader.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/Face_selection.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/Mesh_arrays.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/order_vertices.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
-#include <CGAL/hilbert_sort.h>
-#include <CGAL/property_map.h>
-#include <CGAL/Spatial_sort_traits_adapter_3.h>
 
 #include <cstddef>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
@@ -88,7 +84,7 @@ bool can_be_read(const PolygonMesh& pmesh, const VertexPointMap& vpm)
   return is_finite && has_only_valid_faces;
 }
 
-// Copies the vertices along a space-filling curve, and numbers them.
+// Copies the vertices, in an order in which neighbors are close to each other, and numbers them.
 template <typename PolygonMesh, typename VertexPointMap, typename Selection, typename VertexIndexMap>
 void copy_vertices(const PolygonMesh& pmesh,
                    const VertexPointMap& vpm,
@@ -97,24 +93,16 @@ void copy_vertices(const PolygonMesh& pmesh,
                    Mesh_arrays& mesh,
                    Mesh_descriptors<PolygonMesh>& descriptors)
 {
-  using vertex_descriptor = typename boost::graph_traits<PolygonMesh>::vertex_descriptor;
-  using Point_and_vertex = std::pair<Point, vertex_descriptor>;
-
-  std::vector<Point_and_vertex> order;
-  for(vertex_descriptor v : vertices(pmesh))
+  for(auto v : vertices(pmesh))
     if(selection.has_vertex(v))
-      order.emplace_back(convert<Point>(get(vpm, v)), v);
-  hilbert_sort(order.begin(), order.end(),
-               Spatial_sort_traits_adapter_3<Kernel, First_of_pair_property_map<Point_and_vertex>>());
+      descriptors.vertices.push_back(v);
+    else
+      put(vertex_index, v, no_index);
+  order_vertices(pmesh, vertex_index, descriptors.vertices);
 
-  mesh.points.reserve(order.size());
-  descriptors.vertices.reserve(order.size());
-  for(const auto& [point, v] : order)
-  {
-    put(vertex_index, v, static_cast<Index>(mesh.points.size()));
-    mesh.points.push_back(point);
-    descriptors.vertices.push_back(v);
-  }
+  mesh.points.reserve(descriptors.vertices.size());
+  for(auto v : descriptors.vertices)
+    mesh.points.push_back(convert<Point>(get(vpm, v)));
 }
 
 // Reads the selected faces of `pmesh`. Returns whether that is possible: all coordinates are finite, the faces are valid,

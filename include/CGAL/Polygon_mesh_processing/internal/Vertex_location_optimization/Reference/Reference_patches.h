@@ -59,11 +59,13 @@ public:
   Reference_patches() = default;
 
   // `neighbors[i][k]` is the corner on the other side of the side of patch i that is opposite to its corner k
+  template <typename ConcurrencyTag>
   Reference_patches(std::vector<Patch> patches,
                     std::vector<std::array<Index, 3>> neighbors,
                     Feature_curves curves,
-                    const Reference_surface_kind kind)
-    : m_tree(std::move(patches)), m_neighbors(std::move(neighbors)), m_curves(std::move(curves)), m_kind(kind)
+                    const Reference_surface_kind kind,
+                    const ConcurrencyTag& tag)
+    : m_tree(std::move(patches), tag), m_neighbors(std::move(neighbors)), m_curves(std::move(curves)), m_kind(kind)
   {}
 
   bool is_empty() const { return m_tree.empty(); }

@@ -93,6 +93,11 @@ public:
 
   Coordinates flat_coordinates(const Point& query) const { return project_to_plane(m_corners, query); }
 
+  std::array<bool, 3> sides_farther_than(const Coordinates& x, double squared_distance) const // of the flat triangle
+  {
+    return vertex_location::sides_farther_than(m_corners, x, squared_distance);
+  }
+
   // from the flat triangle
   Foot_estimate estimate_foot(const Point& query) const
   {

@@ -162,12 +162,21 @@ Reference_patches<Patch> make_reference_patches(const TriangleMesh& tmesh,
   Feature_curves curves(mesh, is_feature, curve_piece);
 
   std::vector<std::array<Index, 3>> neighbors(mesh.number_of_faces());
+  std::vector<unsigned char> folds(mesh.number_of_faces(), 0);
   for_each_index<ConcurrencyTag>(mesh.number_of_faces(), [&](std::size_t f) {
     for(Index k = 0; k < 3; ++k)
-      neighbors[f][k] = mesh.corner_across(static_cast<Index>(3 * f + k));
+    {
+      const Index corner = neighbors[f][k] = mesh.corner_across(static_cast<Index>(3 * f + k));
+      if(corner != no_index && face_normals[f] * face_normals[corner / 3] < 0)
+        folds[f] = static_cast<unsigned char>(folds[f] | 1 << k);
+    }
   });
-  return { std::move(patches), std::move(neighbors), std::move(curves),
-           is_flat ? Reference_surface_kind::FLAT : Reference_surface_kind::PN, ConcurrencyTag() };
+  return { std::move(patches),
+           std::move(neighbors),
+           std::move(folds),
+           std::move(curves),
+           is_flat ? Reference_surface_kind::FLAT : Reference_surface_kind::PN,
+           ConcurrencyTag() };
 }
 
 } // namespace CGAL::Polygon_mesh_processing::internal::vertex_location

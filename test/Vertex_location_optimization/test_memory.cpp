@@ -58,7 +58,7 @@ int main()
 {
   test_memory("piecewise linear", PMP::PIECEWISE_LINEAR, 1.1 * 450);
   test_memory("least squares", PMP::LEAST_SQUARES, 1.1 * 1800);
-  test_surface<PMP::Flat_triangle_surface<Mesh>>("flat surface", 1.1 * 270);
-  test_surface<PMP::PN_triangle_surface<Mesh>>("PN surface", 1.1 * 640);
+  test_surface<PMP::Flat_triangle_surface<Mesh>>("flat surface", 1.1 * 191);
+  test_surface<PMP::PN_triangle_surface<Mesh>>("PN surface", 1.1 * 487);
   return test_result();
 }

@@ -38,6 +38,11 @@ public:
 
   Coordinates flat_coordinates(const Point& query) const { return project_to_plane(m_corners, query); }
 
+  std::array<bool, 3> sides_farther_than(const Coordinates& x, double squared_distance) const
+  {
+    return vertex_location::sides_farther_than(m_corners, x, squared_distance);
+  }
+
   Foot_estimate estimate_foot(const Point& query) const
   {
     const Coordinates foot = closest_on_triangle(m_corners, query);

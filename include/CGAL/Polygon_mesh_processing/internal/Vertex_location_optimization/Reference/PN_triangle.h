@@ -39,51 +39,29 @@ public:
     std::array<Vector, 2> offsets;
   };
 
-  PN_triangle() = default;
+  PN_triangle() {} // nothing is initialized, which takes time
 
   explicit PN_triangle(const std::array<Corner, 3>& c)
+    : m_corners{ { c[0].point, c[1].point, c[2].point } }, n200(c[0].normal), n020(c[1].normal), n002(c[2].normal),
+      n110(edge_normal(c[0], c[1])), n011(edge_normal(c[1], c[2])), n101(edge_normal(c[2], c[0]))
   {
-    // the control points
-    const Point &b300 = c[0].point, &b030 = c[1].point, &b003 = c[2].point;
-    const Point b210 = control_point(c, 0, 1), b120 = control_point(c, 1, 0), b021 = control_point(c, 1, 2),
-                b012 = control_point(c, 2, 1), b102 = control_point(c, 2, 0), b201 = control_point(c, 0, 2);
-    const Vector e =
-      ((b210 - ORIGIN) + (b120 - ORIGIN) + (b021 - ORIGIN) + (b012 - ORIGIN) + (b102 - ORIGIN) + (b201 - ORIGIN)) / 6;
-    const Vector m = ((b300 - ORIGIN) + (b030 - ORIGIN) + (b003 - ORIGIN)) / 3;
-    const Point b111 = ORIGIN + (e + (e - m) / 2);
+    // of the control points from their places on the flat triangle
+    const Vector &o210 = c[0].offsets[0], &o201 = c[0].offsets[1], &o021 = c[1].offsets[0], &o120 = c[1].offsets[1],
+                 &o102 = c[2].offsets[0], &o012 = c[2].offsets[1];
+    const Vector o111 = (o210 + o120 + o021 + o012 + o102 + o201) / 4;
 
-    m_corners = { b300, b030, b003 };
-    c10 = 3 * (b210 - b300);
-    c01 = 3 * (b201 - b300);
-    c20 = 3 * ((b120 - b210) - (b210 - b300));
-    c11 = 6 * ((b111 - b210) - (b201 - b300));
-    c02 = 3 * ((b102 - b201) - (b201 - b300));
-    c30 = (b030 - b300) - 3 * (b120 - b210);
-    c21 = 3 * ((b021 - b120) - 2 * (b111 - b210) + (b201 - b300));
-    c12 = 3 * ((b012 - b102) - 2 * (b111 - b201) + (b210 - b300));
-    c03 = (b003 - b300) - 3 * (b102 - b201);
-
-    n200 = c[0].normal;
-    n020 = c[1].normal;
-    n002 = c[2].normal;
-    n110 = edge_normal(c[0], c[1]);
-    n011 = edge_normal(c[1], c[2]);
-    n101 = edge_normal(c[2], c[0]);
+    c20 = 3 * (o120 - 2 * o210);
+    c02 = 3 * (o102 - 2 * o201);
+    c11 = 6 * (o111 - o210 - o201);
+    c30 = 3 * (o210 - o120);
+    c03 = 3 * (o201 - o102);
+    c21 = 3 * (o021 - o120 - 2 * (o111 - o210) + o201);
 
     // By the convex hull property no point of the patch is farther from the point of the flat triangle with the same
     // coordinates than the control point that is farthest from its place there.
     double deviation2 = 0;
-    auto add_control_point = [&](const Point& b, double i, double j, double k) {
-      const Vector d = (b - b300) - (j * (b030 - b300) + k * (b003 - b300)) / (i + j + k);
-      deviation2 = (std::max)(deviation2, d.squared_length());
-    };
-    add_control_point(b210, 2, 1, 0);
-    add_control_point(b120, 1, 2, 0);
-    add_control_point(b021, 0, 2, 1);
-    add_control_point(b012, 0, 1, 2);
-    add_control_point(b102, 1, 0, 2);
-    add_control_point(b201, 2, 0, 1);
-    add_control_point(b111, 1, 1, 1);
+    for(const Vector& o : { o210, o201, o021, o120, o102, o012, o111 })
+      deviation2 = (std::max)(deviation2, o.squared_length());
     m_deviation = std::sqrt(deviation2);
   }
 
@@ -99,7 +77,7 @@ public:
   {
     const double u = x.u, v = x.v;
     return m_corners[0] +
-           (u * (c10 + u * (c20 + u * c30) + v * (c11 + u * c21 + v * c12)) + v * (c01 + v * (c02 + v * c03)));
+           (u * (c10() + u * (c20 + u * c30) + v * (c11 + u * c21 + v * c12())) + v * (c01() + v * (c02 + v * c03)));
   }
 
   // the quadratic normal; where it vanishes that of the cubic patch
@@ -114,6 +92,11 @@ public:
   }
 
   Coordinates flat_coordinates(const Point& query) const { return project_to_plane(m_corners, query); }
+
+  std::array<bool, 3> sides_farther_than(const Coordinates& x, double squared_distance) const // of the flat triangle
+  {
+    return vertex_location::sides_farther_than(m_corners, x, squared_distance);
+  }
 
   // from the flat triangle
   Foot_estimate estimate_foot(const Point& query) const
@@ -140,11 +123,10 @@ private:
     Vector du, dv, duu, duv, dvv;
   };
 
-  // the control point next to corner i on the side to corner j
-  static Point control_point(const std::array<Corner, 3>& c, const int i, const int j)
-  {
-    return c[i].point + ((c[j].point - c[i].point) / 3 + c[i].offsets[j == (i + 1) % 3 ? 0 : 1]);
-  }
+  // what follows of the other coefficients, from the ends of the boundary curves and the control point in the middle
+  Vector c10() const { return (m_corners[1] - m_corners[0]) - (c20 + c30); }
+  Vector c01() const { return (m_corners[2] - m_corners[0]) - (c02 + c03); }
+  Vector c12() const { return 2 * (c30 + c03) - c21; }
 
   static Vector edge_normal(const Corner& a, const Corner& b)
   {
@@ -156,7 +138,9 @@ private:
   Derivatives evaluate(const Coordinates& x) const
   {
     const double u = x.u, v = x.v;
-    return { point(x),
+    const Vector c10 = this->c10(), c01 = this->c01(), c12 = this->c12();
+    return { m_corners[0] +
+               (u * (c10 + u * (c20 + u * c30) + v * (c11 + u * c21 + v * c12)) + v * (c01 + v * (c02 + v * c03))),
              c10 + u * (2 * c20 + 3 * u * c30) + v * (c11 + 2 * u * c21 + v * c12),
              c01 + v * (2 * c02 + 3 * v * c03) + u * (c11 + u * c21 + 2 * v * c12),
              2 * c20 + 6 * u * c30 + 2 * v * c21,
@@ -283,8 +267,8 @@ private:
 
   // what an estimate takes comes first
   std::array<Point, 3> m_corners;
-  double m_deviation = 0; // upper bound of the distance between corresponding points of the patch and the flat triangle
-  Vector c10, c01, c20, c11, c02, c30, c21, c12, c03; // the patch in powers of u and v, from corner 0
+  double m_deviation; // upper bound of the distance between corresponding points of the patch and the flat triangle
+  Vector c20, c11, c02, c30, c21, c03; // coefficients of the patch in powers of u and v, from corner 0
   Vector n200, n020, n002, n110, n011, n101;
 };
 

@@ -15,6 +15,7 @@
 
 #include <CGAL/license/Vertex_location_optimization.h>
 
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/for_each_index.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/read_mesh.h>
 
 #include <CGAL/assertions.h>
@@ -43,25 +44,25 @@ public:
 
   Patch_descriptors() = default;
 
-  Patch_descriptors(const TriangleMesh& tmesh, const Mesh_arrays& mesh, const Mesh_descriptors<TriangleMesh>& descriptors)
+  template <typename ConcurrencyTag>
+  Patch_descriptors(const TriangleMesh& tmesh,
+                    const Mesh_arrays& mesh,
+                    const Mesh_descriptors<TriangleMesh>& descriptors,
+                    const ConcurrencyTag&)
+    : m_faces(mesh.number_of_faces()), m_corners(mesh.number_of_faces()), m_vertices(mesh.number_of_faces()),
+      m_first_corners(mesh.number_of_faces())
   {
-    const std::size_t n = mesh.number_of_faces();
-    m_faces.reserve(n);
-    m_corners.reserve(n);
-    m_vertices.reserve(n);
-    m_first_corners.reserve(n);
-    for(std::size_t f = 0; f < n; ++f)
-    {
+    for_each_index<ConcurrencyTag>(mesh.number_of_faces(), [&](std::size_t f) {
       const std::array<halfedge_descriptor, 3> corners = corner_halfedges(tmesh, mesh, descriptors, f);
-      m_faces.push_back(face(corners[0], tmesh));
-      m_corners.push_back(corners);
-      m_vertices.push_back({ target(corners[0], tmesh), target(corners[1], tmesh), target(corners[2], tmesh) });
+      m_faces[f] = face(corners[0], tmesh);
+      m_corners[f] = corners;
+      m_vertices[f] = { { target(corners[0], tmesh), target(corners[1], tmesh), target(corners[2], tmesh) } };
       // the first coordinate of a location is that of the source of the halfedge of the face
-      const halfedge_descriptor to_source = prev(halfedge(m_faces.back(), tmesh), tmesh);
+      const halfedge_descriptor to_source = prev(halfedge(m_faces[f], tmesh), tmesh);
       const auto first_corner = std::find(corners.begin(), corners.end(), to_source);
       const bool is_triangle = next(corners[2], tmesh) == corners[0];
-      m_first_corners.push_back(static_cast<unsigned char>(is_triangle ? first_corner - corners.begin() : in_polygon));
-    }
+      m_first_corners[f] = static_cast<unsigned char>(is_triangle ? first_corner - corners.begin() : in_polygon);
+    });
   }
 
   std::size_t size() const { return m_faces.size(); }

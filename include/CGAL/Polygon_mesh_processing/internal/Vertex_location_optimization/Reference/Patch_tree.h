@@ -15,10 +15,12 @@
 
 #include <CGAL/license/Vertex_location_optimization.h>
 
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/Patch_order.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/triangle_coordinates.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/compatibility.h>
 
 #include <boost/container/small_vector.hpp>
+#include <boost/range/adaptor/transformed.hpp>
 #include <boost/range/irange.hpp>
 
 #include <algorithm>
@@ -48,9 +50,7 @@ private:
   Index m_patch = no_index;
 };
 
-// `Box` is a `Bbox_3` or an `Iso_cuboid_3`.
-template <typename Box>
-double squared_distance_to_box(const Point& p, const Box& box)
+inline double squared_distance_to_box(const Point& p, const Bbox_3& box)
 {
   const auto to_slab = [](double x, double min, double max) { return x - (std::min)((std::max)(x, min), max); };
   return square(to_slab(p.x(), box.xmin(), box.xmax())) + square(to_slab(p.y(), box.ymin(), box.ymax())) +
@@ -67,32 +67,26 @@ double squared_distance_to_box(const Point& p, const Box& box)
 template <typename Patch>
 class Patch_tree
 {
-  // An AABB primitive of which the tree knows the box: the patch is far away in memory.
+  // an AABB primitive: a patch, which the tree knows by its box
   class Primitive
   {
   public:
-    using Id = Index;
+    using Id = const Patch*;
     using Point = vertex_location::Point;
     using Datum = Kernel::Iso_cuboid_3;
-    using Datum_reference = const Datum&;
+    using Datum_reference = Datum;
 
     Primitive() = default;
     template <typename Iterator>
-    Primitive(Iterator it, const Patch* patches) : m_id(static_cast<Id>(*it)), m_box(patches[m_id].bbox())
+    explicit Primitive(Iterator it) : m_patch(&*it)
     {}
 
-    Id id() const { return m_id; }
-    const Datum& datum() const { return m_box; }
-
-    Point reference_point() const
-    {
-      const Point center = midpoint((m_box.min)(), (m_box.max)());
-      return is_finite(center) ? center : Point(ORIGIN); // where coordinates overflow
-    }
+    Id id() const { return m_patch; }
+    Datum datum() const { return Datum(m_patch->bbox()); }
+    Point reference_point() const { return (datum().min)(); }
 
   private:
-    Id m_id = no_index;
-    Datum m_box;
+    const Patch* m_patch = nullptr;
   };
 
   using Tree = AABB_tree<AABB_traits_for<Kernel, Primitive>>;
@@ -100,11 +94,20 @@ class Patch_tree
 public:
   Patch_tree() = default;
 
-  explicit Patch_tree(std::vector<Patch> patches) : m_patches(std::move(patches))
+  template <typename ConcurrencyTag = Sequential_tag>
+  explicit Patch_tree(std::vector<Patch> patches, const ConcurrencyTag& tag = ConcurrencyTag())
+    : m_patches(std::move(patches))
   {
-    const auto ids = boost::irange<std::size_t>(0, m_patches.size());
-    m_tree.insert(ids.begin(), ids.end(), static_cast<const Patch*>(m_patches.data()));
-    m_tree.build();
+    if(m_patches.empty())
+      return;
+    const Patch_order<Patch> order(m_patches, tag);
+    const auto places = boost::irange<std::size_t>(0, m_patches.size());
+    const auto patch_at = [&](std::size_t place) -> const Patch& { return m_patches[order[place]]; };
+    const auto patches_in_order = places | boost::adaptors::transformed(patch_at);
+    m_tree.insert(patches_in_order.begin(), patches_in_order.end());
+    auto box = order.boxes_of_nodes().begin();
+    const auto next_box = [&](const auto&, const auto&) { return *box++; };
+    m_tree.custom_build(next_box, [](const auto&, const auto&, const auto&) {});
   }
 
   bool empty() const { return m_patches.empty(); }
@@ -185,12 +188,13 @@ private:
 
     void intersection(const Point& query, const Primitive& primitive)
     {
-      if(!is_near(query, primitive.datum()))
+      const Patch& patch = *primitive.id();
+      if(!is_near(query, patch.bbox()))
         return;
-      const Foot_estimate estimate = m_patches[primitive.id()].estimate_foot(query);
+      const Foot_estimate estimate = patch.estimate_foot(query);
       if(!(square(estimate.lower_bound) <= m_squared_distance_bound))
         return;
-      m_candidates.push_back({ primitive.id(), estimate });
+      m_candidates.push_back({ static_cast<Index>(&patch - m_patches.data()), estimate });
       m_squared_distance_bound = (std::min)(m_squared_distance_bound, square(estimate.upper_bound));
     }
 
@@ -208,8 +212,7 @@ private:
     }
 
   private:
-    template <typename Box>
-    bool is_near(const Point& query, const Box& box) const
+    bool is_near(const Point& query, const Bbox_3& box) const
     {
       return squared_distance_to_box(query, box) <= m_squared_distance_bound;
     }

@@ -31,6 +31,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -40,7 +41,8 @@ namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 // that `Reference_access.h` documents, which attributes ask how the patches hang together, too. The patches are surface patches: besides what `Patch_tree` asks of a patch they have
 //   - normal(x), a unit vector, or the null vector where the patch has none;
 //   - area(), an approximation;
-//   - flat_coordinates(q), those of the projection to the plane of the corners, which may be beyond the sides.
+//   - flat_coordinates(q), those of the projection to the plane of the corners, which may be beyond the sides;
+//   - sides_farther_than(x, d2): whether the sides are farther from the point with coordinates x than sqrt(d2).
 template <typename Patch>
 class Reference_patches
 {
@@ -58,12 +60,17 @@ public:
 
   Reference_patches() = default;
 
-  // `neighbors[i][k]` is the corner on the other side of the side of patch i that is opposite to its corner k
+  // `neighbors[i][k]` is the corner on the other side of the side of patch i that is opposite to its corner k, where the
+  // surface may turn by more than a right angle if bit k of `folds[i]` is set
+  template <typename ConcurrencyTag>
   Reference_patches(std::vector<Patch> patches,
                     std::vector<std::array<Index, 3>> neighbors,
+                    std::vector<unsigned char> folds,
                     Feature_curves curves,
-                    const Reference_surface_kind kind)
-    : m_tree(std::move(patches)), m_neighbors(std::move(neighbors)), m_curves(std::move(curves)), m_kind(kind)
+                    const Reference_surface_kind kind,
+                    const ConcurrencyTag& tag)
+    : m_tree(std::move(patches), tag), m_neighbors(std::move(neighbors)), m_folds(std::move(folds)),
+      m_curves(std::move(curves)), m_kind(kind)
   {}
 
   bool is_empty() const { return m_tree.empty(); }
@@ -72,13 +79,15 @@ public:
 
   Foot project(const Point& query, const Foot& hint) const
   {
-    return in_first_patch(m_tree.project(query, hint.patch == no_index ? no_index : approach(query, hint.patch)));
+    Coordinates x;
+    return in_first_patch(
+      m_tree.project(query, hint.patch == no_index ? no_index : approach(query, hint.patch, Can_cross_all(), x)));
   }
 
   Foot project_locally(const Point& query, const Foot& hint) const
   {
     double distance2;
-    Foot foot = m_tree.project_to_patch(query, approach(query, hint.patch), distance2);
+    Foot foot = foot_in_approached(query, hint.patch, distance2);
     walk([&] { return step_to_neighbor(query, foot, distance2); }, foot, distance2);
     return in_first_patch(foot);
   }
@@ -87,13 +96,9 @@ public:
   Foot project_among_neighbors(const Point& query, const Foot& hint) const
   {
     double distance2;
-    Foot foot = m_tree.project_to_patch(query, approach(query, hint.patch), distance2);
-    const auto step = [&](Index corner) {
-      return corner != no_index && m_tree.improve_foot(query, corner / 3, foot, distance2);
-    };
+    Foot foot = foot_in_approached(query, hint.patch, distance2);
     const auto step_to_closer = [&] {
-      const std::array<Index, 3>& corners = m_neighbors[foot.patch];
-      return step_to_neighbor(query, foot, distance2) || std::any_of(corners.begin(), corners.end(), step);
+      return step_to_neighbor(query, foot, distance2) || step_across_sides(query, foot, distance2);
     };
     walk(step_to_closer, foot, distance2);
     return in_first_patch(foot);
@@ -105,7 +110,7 @@ public:
   Foot project_locally(const Point& query, const Foot& hint, const CanCross& can_cross) const
   {
     double distance2;
-    Foot foot = m_tree.project_to_patch(query, approach(query, hint.patch, can_cross), distance2);
+    Foot foot = foot_in_approached(query, hint.patch, distance2, can_cross);
     const auto step = [&](Foot other) {
       if(other.patch == foot.patch || !m_tree.patch(other.patch).improve_foot_from(query, other.coordinates, distance2))
         return false;
@@ -236,20 +241,40 @@ public:
   const Feature_curves& feature_curves() const { return m_curves; }
 
 private:
-  // The patch to which going from `patch` straight to `query` leads, as if the patches were flat.
-  template <typename CanCross = Can_cross_all>
-  Index approach(const Point& query, Index patch, const CanCross& can_cross = CanCross()) const
+  // The patch to which going from `patch` straight to `query` leads, as if the patches were flat. Sets the coordinates of
+  // `query` there.
+  template <typename CanCross>
+  Index approach(const Point& query, Index patch, const CanCross& can_cross, Coordinates& coordinates) const
   {
     constexpr int max_steps = 16; // a hint that is farther away is a poor one, and the steps would cost more than they save
-    for(int step = 0; step < max_steps; ++step)
+    for(int step = 0;; ++step)
     {
-      const std::array<double, 3> lambda = m_tree.patch(patch).flat_coordinates(query).barycentric();
+      coordinates = m_tree.patch(patch).flat_coordinates(query);
+      const std::array<double, 3> lambda = coordinates.barycentric();
       const auto k = std::min_element(lambda.begin(), lambda.end()) - lambda.begin();
-      if(!(lambda[k] < 0) || m_neighbors[patch][k] == no_index || !can_cross(patch, static_cast<Index>(k)))
-        break;
+      if(step == max_steps || !(lambda[k] < 0) || m_neighbors[patch][k] == no_index ||
+         !can_cross(patch, static_cast<Index>(k)))
+        return patch;
       patch = m_neighbors[patch][k] / 3;
     }
-    return patch;
+  }
+
+  // the foot in the patch that is approached, and its squared distance
+  template <typename CanCross = Can_cross_all>
+  Foot foot_in_approached(const Point& query,
+                          const Index hint,
+                          double& squared_distance,
+                          const CanCross& can_cross = CanCross()) const
+  {
+    Coordinates x;
+    const Index patch = approach(query, hint, can_cross, x);
+    const std::array<double, 3> lambda = x.barycentric();
+    if(!std::all_of(lambda.begin(), lambda.end(), [](double l) { return l >= 0; }))
+      return m_tree.project_to_patch(query, patch, squared_distance);
+    // the estimate of the foot is known
+    squared_distance = (std::numeric_limits<double>::max)();
+    m_tree.patch(patch).improve_foot(query, x, squared_distance);
+    return { patch, x };
   }
 
   // Where patches meet, each of them has the closest point, and rounding would choose among their normals.
@@ -303,8 +328,25 @@ private:
     return false;
   }
 
+  // The same from anywhere in the patch. What is beyond a side that is farther away than the query is farther away, too,
+  // unless the surface folds back there.
+  bool step_across_sides(const Point& query, Foot& foot, double& squared_distance) const
+  {
+    const Index patch = foot.patch;
+    const std::array<bool, 3> is_far = m_tree.patch(patch).sides_farther_than(foot.coordinates, squared_distance);
+    for(Index k = 0; k < 3; ++k)
+    {
+      const Index corner = m_neighbors[patch][k];
+      if(corner != no_index && (!is_far[k] || (m_folds[patch] >> k & 1)) &&
+         m_tree.improve_foot(query, corner / 3, foot, squared_distance))
+        return true;
+    }
+    return false;
+  }
+
   Patch_tree<Patch> m_tree;
   std::vector<std::array<Index, 3>> m_neighbors;
+  std::vector<unsigned char> m_folds;
   Feature_curves m_curves;
   Reference_surface_kind m_kind = Reference_surface_kind::OTHER;
 };

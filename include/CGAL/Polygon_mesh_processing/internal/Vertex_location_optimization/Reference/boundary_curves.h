@@ -34,6 +34,9 @@ struct Boundary_curve
   std::array<bool, 2> is_limited{ { false, false } };            // whether the tangent planes ask for more
 };
 
+// The offset of the control point near an end of an edge, by which the curve is tangent to the plane with this normal.
+inline Vector tangential_offset(const Vector& edge, const Vector& normal) { return ((edge * normal) / -3) * normal; }
+
 // The offset of the control point near the end `from` of the edge `to - from`, by which the curve is tangent to the planes
 // with the given normals, those of both sides of the edge.
 inline Vector tangential_offset(const Vector& edge, const Vector& normal, const Vector& normal_across)
@@ -50,8 +53,7 @@ inline Vector tangential_offset(const Vector& edge, const Vector& normal, const 
   }
 
   // the planes are nearly the same: below some 6 degrees their intersection says little
-  const Vector n = normalized(normal + normal_across);
-  return ((edge * n) / -3) * n;
+  return tangential_offset(edge, normalized(normal + normal_across));
 }
 
 // What the surface beyond the end of an edge says about how the edge bends.
@@ -61,23 +63,33 @@ struct Bend
   double length_limit; // the curve must not leave the edge farther than that of an edge of this length would
 };
 
-// Beyond the end of an edge that leaves `sector` in this direction.
-inline Bend
-bend_beyond(const Sector_graph& graph, const std::vector<Vector>& normals, const Index sector, const Vector& direction)
+// Beyond the end of an edge that leaves `sector`; at least what matters to one that is bent already.
+inline Bend bend_beyond(const Sector_graph& graph,
+                        const std::vector<Vector>& normals,
+                        const Index sector,
+                        const Vector& edge,
+                        const double length,
+                        const bool is_bent)
 {
   constexpr double cosine = 0.6;        // an edge continues another one if it turns by less than 53 degrees
   constexpr double least_slope = 0.125; // relative to that of the edge
   constexpr double longest = 4;         // relative to the edge that continues this one
 
   const Vector& n = normals[sector];
-  const double slope = n * direction;
-  Bend bend{ false, 0 };
-  graph.for_each_edge(sector, [&](Index, const Vector& other, const Sector_graph::Edge& edge) {
-    if(other * direction > -cosine)
-      return;
-    bend.goes_on = bend.goes_on || slope * (n * other) > least_slope * square(slope);
-    bend.length_limit = (std::max)(bend.length_limit, longest * edge.length);
-  });
+  const double slope = n * edge;
+  Bend bend{ is_bent, 0 };
+  for(const Sector_graph::Edge& other : graph.edges(sector))
+  {
+    const Vector along = graph.point(other.other) - graph.point(sector);
+    const double product = along * edge, length2 = along.squared_length();
+    if(product >= 0 || square(product) < square(cosine * length) * length2)
+      continue;
+    const double length_of_other = std::sqrt(length2);
+    bend.goes_on = bend.goes_on || slope * (n * along) * length > least_slope * square(slope) * length_of_other;
+    bend.length_limit = (std::max)(bend.length_limit, longest * length_of_other);
+    if(bend.goes_on && bend.length_limit >= length)
+      return bend; // which other edges would not change
+  }
   return bend.length_limit > 0 ? bend : Bend{ true, (std::numeric_limits<double>::max)() }; // nothing continues the edge
 }
 
@@ -108,11 +120,13 @@ inline Boundary_curve make_boundary_curve(const Mesh_arrays& mesh,
   {
     const Vector from_end = end == 0 ? d : -d;
     const std::array<Index, 2> sectors = graph.sectors_at_end(mesh, e, end);
-    curve.offsets[end] = tangential_offset(from_end, normals[sectors[0]], normals[sectors[1]]);
+    const bool is_crease = sectors[0] != sectors[1];
+    curve.offsets[end] = is_crease ? tangential_offset(from_end, normals[sectors[0]], normals[sectors[1]])
+                                   : tangential_offset(from_end, normals[sectors[0]]);
     distances[end] = norm(curve.offsets[end]);
-    for(int side = 0; side < (sectors[0] == sectors[1] ? 1 : 2); ++side)
+    for(int side = 0; side < (is_crease ? 2 : 1); ++side)
     {
-      const Bend bend = bend_beyond(graph, normals, sectors[side], from_end / length);
+      const Bend bend = bend_beyond(graph, normals, sectors[side], from_end, length, is_bent);
       is_bent = is_bent || bend.goes_on;
       limits[end] = (std::max)(limits[end], distances[end] * (std::min)(1., bend.length_limit / length));
     }
@@ -140,76 +154,94 @@ inline Vector orthogonal_normal(const Vector& facet_normal, const Vector& tangen
   return normalized(facet_normal + correction.solve());
 }
 
-// Where the boundary curve that ends the facet of a corner leaves the vertex, going around it one way or the other; the
-// null vector inside the facet. Says, too, whether the curve is limited.
-inline Vector boundary_tangent(const Mesh_arrays& mesh,
-                               const Facets& facets,
-                               const std::vector<Boundary_curve>& curves,
-                               const Index corner,
-                               const bool forward,
-                               bool& is_limited)
+// The boundary curves of the patches, and the normals at their corners.
+class Patch_boundaries
 {
-  Index c = corner;
-  do
+public:
+  template <typename ConcurrencyTag>
+  Patch_boundaries(const Mesh_arrays& mesh,
+                   const Facets& facets,
+                   const Sector_graph& graph,
+                   const std::vector<Vector>& sector_normals,
+                   const ConcurrencyTag&)
+    : m_mesh(mesh), m_facets(facets), m_graph(graph), m_sector_normals(sector_normals), m_curves(mesh.edges.size())
   {
-    const Index far = forward ? Mesh_arrays::previous(c) : Mesh_arrays::next(c);
-    const Index e = mesh.opposite_edge(forward ? Mesh_arrays::next(c) : Mesh_arrays::previous(c));
-    if(!facets.contain(mesh, e))
-    {
-      const int end = mesh.edges[e][0] == mesh.vertex(c) ? 0 : 1;
-      is_limited = is_limited || curves[e].is_limited[end];
-      return (mesh.points[mesh.vertex(far)] - mesh.points[mesh.vertex(c)]) / 3 + curves[e].offsets[end];
-    }
-    c = forward ? mesh.corner_across_next(c) : mesh.corner_across_previous(c);
+    for_each_index<ConcurrencyTag>(m_curves.size(), [&](std::size_t e) {
+      if(!facets.contain(e))
+        m_curves[e] = make_boundary_curve(mesh, graph, sector_normals, e);
+    });
+    // the curves inside a facet are orthogonal to the normals at its corners, so that its triangulation does not show
+    for_each_index<ConcurrencyTag>(m_curves.size(), [&](std::size_t e) {
+      if(!facets.contain(e))
+        return;
+      const Index corner = mesh.edge_corners[e][0];
+      for(Index c : { Mesh_arrays::next(corner), Mesh_arrays::previous(corner) })
+      {
+        const int end = end_at(e, c);
+        const Vector d = mesh.points[mesh.edges[e][1 - end]] - mesh.points[mesh.edges[e][end]];
+        m_curves[e].offsets[end] = tangential_offset(d, normal(c));
+      }
+    });
   }
-  while(c != corner);
-  return NULL_VECTOR;
-}
 
-// The boundary curves and the normals at the corners of the patches.
-struct Patch_boundaries
-{
-  std::vector<Boundary_curve> curves; // of the edges
-  std::vector<Vector> normals;        // of the corners
-};
+  // of the control point of edge e that is next to the corner c
+  const Vector& offset(Index e, Index c) const { return m_curves[e].offsets[end_at(e, c)]; }
 
-// The normal at a corner is that of its sector, unless the boundary curves of the facet are limited and so have another
-// tangent plane there. The curves inside a facet are orthogonal to these normals, so that its triangulation does not show.
-template <typename ConcurrencyTag>
-Patch_boundaries compute_patch_boundaries(const Mesh_arrays& mesh,
-                                          const Facets& facets,
-                                          const Sector_graph& graph,
-                                          const std::vector<Vector>& sector_normals)
-{
-  std::vector<Boundary_curve> curves(mesh.edges.size());
-  for_each_index<ConcurrencyTag>(curves.size(), [&](std::size_t e) {
-    if(!facets.contain(mesh, e))
-      curves[e] = make_boundary_curve(mesh, graph, sector_normals, e);
-  });
+  // The normal at a corner: that of its sector, unless the boundary curves of the facet are limited and so have another
+  // tangent plane there.
+  Vector normal(const Index c) const
+  {
+    const Index before = facet_end(c, false), after = facet_end(c, true);
+    const bool is_limited =
+      (before != no_index && curve_is_limited(before, false)) || (after != no_index && curve_is_limited(after, true));
+    if(!is_limited)
+      return m_sector_normals[m_graph.sector(c)];
+    return orthogonal_normal(m_facets.normal[c / 3], tangent(before, false), tangent(after, true));
+  }
 
-  std::vector<Vector> normals(3 * mesh.number_of_faces());
-  for_each_index<ConcurrencyTag>(normals.size(), [&](std::size_t i) {
-    const Index c = static_cast<Index>(i);
-    bool is_limited = false;
-    const Vector to_next = boundary_tangent(mesh, facets, curves, c, false, is_limited);
-    const Vector to_previous = boundary_tangent(mesh, facets, curves, c, true, is_limited);
-    normals[i] =
-      is_limited ? orthogonal_normal(facets.normal[c / 3], to_next, to_previous) : sector_normals[graph.sector(c)];
-  });
+private:
+  int end_at(const std::size_t e, const Index c) const { return m_mesh.edges[e][0] == m_mesh.vertex(c) ? 0 : 1; }
 
-  for_each_index<ConcurrencyTag>(curves.size(), [&](std::size_t e) {
-    if(!facets.contain(mesh, e))
-      return;
-    const Index corner = mesh.edge_corners[e][0];
-    for(Index c : { Mesh_arrays::next(corner), Mesh_arrays::previous(corner) })
+  // the edge at corner c beyond which the next corner around the vertex is, or the previous one
+  Index edge_at(const Index c, const bool forward) const
+  {
+    return m_mesh.opposite_edge(forward ? Mesh_arrays::next(c) : Mesh_arrays::previous(c));
+  }
+
+  // The last corner of the facet of `corner`, going around the vertex one way or the other; no_index inside the facet.
+  Index facet_end(const Index corner, const bool forward) const
+  {
+    Index c = corner;
+    while(m_facets.contain(edge_at(c, forward)))
     {
-      const int end = mesh.edges[e][0] == mesh.vertex(c) ? 0 : 1;
-      const Vector d = mesh.points[mesh.edges[e][1 - end]] - mesh.points[mesh.edges[e][end]];
-      curves[e].offsets[end] = tangential_offset(d, normals[c], normals[c]);
+      c = forward ? m_mesh.corner_across_next(c) : m_mesh.corner_across_previous(c);
+      if(c == corner)
+        return no_index;
     }
-  });
-  return { std::move(curves), std::move(normals) };
-}
+    return c;
+  }
+
+  bool curve_is_limited(const Index c, const bool forward) const
+  {
+    const Index e = edge_at(c, forward);
+    return m_curves[e].is_limited[end_at(e, c)];
+  }
+
+  // where the curve over this edge leaves the vertex; the null vector if there is no corner c
+  Vector tangent(const Index c, const bool forward) const
+  {
+    if(c == no_index)
+      return NULL_VECTOR;
+    const Index far = forward ? Mesh_arrays::previous(c) : Mesh_arrays::next(c);
+    return (m_mesh.points[m_mesh.vertex(far)] - m_mesh.points[m_mesh.vertex(c)]) / 3 + offset(edge_at(c, forward), c);
+  }
+
+  const Mesh_arrays& m_mesh;
+  const Facets& m_facets;
+  const Sector_graph& m_graph;
+  const std::vector<Vector>& m_sector_normals;
+  std::vector<Boundary_curve> m_curves; // of the edges
+};
 
 } // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
 

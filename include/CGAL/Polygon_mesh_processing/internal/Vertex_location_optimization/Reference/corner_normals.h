@@ -92,7 +92,7 @@ public:
     while(c != no_index && c != first);
   }
 
-private:
+  // the next ear around its vertex, and the previous one; no_index at the end of the sector
   Index next(Index corner) const
   {
     return m_is_crease[m_mesh.opposite_edge(Mesh_arrays::next(corner))] ? no_index : m_mesh.corner_across_next(corner);
@@ -104,6 +104,7 @@ private:
                                                                             : m_mesh.corner_across_previous(corner);
   }
 
+private:
   Index first_corner(const Index corner) const
   {
     Index smallest = corner;

@@ -78,25 +78,21 @@ template <typename ConcurrencyTag>
 std::vector<PN_triangle>
 make_PN_patches(const Mesh_arrays& mesh, const std::vector<Vector>& face_normals, const std::vector<char>& is_crease)
 {
-  const Facets facets = find_facets(mesh, face_normals, is_crease);
-  const Sector_graph graph(mesh, is_crease, facets);
+  const Facets facets = find_facets<ConcurrencyTag>(mesh, face_normals, is_crease);
+  const Sector_graph graph(mesh, is_crease, facets, ConcurrencyTag());
   const std::vector<Vector> sector_normals = compute_sector_normals<ConcurrencyTag>(mesh, face_normals, facets, graph);
-  const Patch_boundaries boundaries = compute_patch_boundaries<ConcurrencyTag>(mesh, facets, graph, sector_normals);
+  const Patch_boundaries boundaries(mesh, facets, graph, sector_normals, ConcurrencyTag());
 
   std::vector<PN_triangle> patches(mesh.number_of_faces());
   for_each_index<ConcurrencyTag>(patches.size(), [&](std::size_t f) {
-    const std::array<Index, 3> vertices = mesh.face(f);
     std::array<PN_triangle::Corner, 3> corners;
     for(Index k = 0; k < 3; ++k)
     {
-      PN_triangle::Corner& corner = corners[k];
-      corner.point = mesh.points[vertices[k]];
-      corner.normal = boundaries.normals[3 * f + k];
+      const Index c = static_cast<Index>(3 * f + k);
+      corners[k].point = mesh.points[mesh.vertex(c)];
+      corners[k].normal = boundaries.normal(c);
       for(Index side = 0; side < 2; ++side) // to the next corner, and to the previous one
-      {
-        const Index e = mesh.face_edges[f][(k + 2 - side) % 3];
-        corner.offsets[side] = boundaries.curves[e].offsets[mesh.edges[e][0] == vertices[k] ? 0 : 1];
-      }
+        corners[k].offsets[side] = boundaries.offset(mesh.face_edges[f][(k + 2 - side) % 3], c);
     }
     patches[f] = PN_triangle(corners);
   });
@@ -133,7 +129,7 @@ Reference_patches<Patch> make_reference_patches(const TriangleMesh& tmesh,
   if(!read_reference_mesh(tmesh, vpm, mesh, descriptors))
     return {};
   if(patch_descriptors != nullptr)
-    *patch_descriptors = Patch_descriptors<TriangleMesh>(tmesh, mesh, descriptors);
+    *patch_descriptors = Patch_descriptors<TriangleMesh>(tmesh, mesh, descriptors, ConcurrencyTag());
   const std::vector<Vector> face_normals = compute_face_normals<ConcurrencyTag>(mesh);
   const std::vector<char> is_crease = find_creases<ConcurrencyTag>(mesh, descriptors, face_normals, np);
 
@@ -166,12 +162,21 @@ Reference_patches<Patch> make_reference_patches(const TriangleMesh& tmesh,
   Feature_curves curves(mesh, is_feature, curve_piece);
 
   std::vector<std::array<Index, 3>> neighbors(mesh.number_of_faces());
+  std::vector<unsigned char> folds(mesh.number_of_faces(), 0);
   for_each_index<ConcurrencyTag>(mesh.number_of_faces(), [&](std::size_t f) {
     for(Index k = 0; k < 3; ++k)
-      neighbors[f][k] = mesh.corner_across(static_cast<Index>(3 * f + k));
+    {
+      const Index corner = neighbors[f][k] = mesh.corner_across(static_cast<Index>(3 * f + k));
+      if(corner != no_index && face_normals[f] * face_normals[corner / 3] < 0)
+        folds[f] = static_cast<unsigned char>(folds[f] | 1 << k);
+    }
   });
-  return { std::move(patches), std::move(neighbors), std::move(curves),
-           is_flat ? Reference_surface_kind::FLAT : Reference_surface_kind::PN };
+  return { std::move(patches),
+           std::move(neighbors),
+           std::move(folds),
+           std::move(curves),
+           is_flat ? Reference_surface_kind::FLAT : Reference_surface_kind::PN,
+           ConcurrencyTag() };
 }
 
 } // namespace CGAL::Polygon_mesh_processing::internal::vertex_location

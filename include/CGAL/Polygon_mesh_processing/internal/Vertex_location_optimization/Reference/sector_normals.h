@@ -29,7 +29,7 @@ namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 struct Average_normal
 {
   Vector normal;
-  double spread; // the largest distance from the normals of the facets, as points of the unit sphere
+  double squared_spread; // of the largest distance from the normals of the facets, as points of the unit sphere
   double largest_area;
 };
 
@@ -41,29 +41,42 @@ inline double facet_weight(const double area, const double largest_area)
   return area < small * largest_area ? square(square(area / (small * largest_area))) : 1;
 }
 
+// the angles of the triangles, in radians, corner by corner; 0 where a side has no length
+template <typename ConcurrencyTag>
+std::vector<std::array<double, 3>> compute_angles(const Mesh_arrays& mesh)
+{
+  std::vector<std::array<double, 3>> angles(mesh.number_of_faces());
+  for_each_index<ConcurrencyTag>(angles.size(), [&](std::size_t f) {
+    const std::array<Point, 3> t = mesh.triangle(f);
+    const std::array<Vector, 3> sides{ { t[2] - t[1], t[0] - t[2], t[1] - t[0] } };
+    const double sine = norm(cross_product(sides[1], sides[2])); // times the lengths of two sides, as the cosine below
+    for(int k = 0; k < 3; ++k)
+      angles[f][k] = std::atan2(sine, -(sides[(k + 1) % 3] * sides[(k + 2) % 3]));
+  });
+  return angles;
+}
+
 template <typename ConcurrencyTag>
 std::vector<Average_normal> average_facet_normals(const Mesh_arrays& mesh,
                                                   const std::vector<Vector>& face_normals,
                                                   const Facets& facets,
                                                   const Sector_graph& graph)
 {
+  const std::vector<std::array<double, 3>> angles = compute_angles<ConcurrencyTag>(mesh);
   std::vector<Average_normal> averages(graph.number_of_sectors());
   for_each_index<ConcurrencyTag>(averages.size(), [&](std::size_t s) {
     double largest = 0;
-    graph.for_each_corner(s, [&](Index c) { largest = (std::max)(largest, facets.area[c / 3]); });
+    for(Index c : graph.corners(s))
+      largest = (std::max)(largest, facets.area[c / 3]);
     Vector sum = NULL_VECTOR;
-    graph.for_each_corner(s, [&](Index c) {
-      const std::array<Point, 3> t = mesh.triangle(c / 3);
-      const double angle = angle_at(t[c % 3], t[(c + 1) % 3], t[(c + 2) % 3]);
-      sum = sum + angle * facet_weight(facets.area[c / 3], largest) * face_normals[c / 3];
-    });
+    for(Index c : graph.corners(s))
+      sum = sum + angles[c / 3][c % 3] * facet_weight(facets.area[c / 3], largest) * face_normals[c / 3];
     const Vector average = normalized(sum);
     double spread2 = 0;
-    graph.for_each_corner(s, [&](Index c) {
+    for(Index c : graph.corners(s))
       if(face_normals[c / 3] != NULL_VECTOR)
         spread2 = (std::max)(spread2, (average - face_normals[c / 3]).squared_length());
-    });
-    averages[s] = { average, std::sqrt(spread2), largest };
+    averages[s] = { average, spread2, largest };
   });
   return averages;
 }
@@ -76,30 +89,38 @@ public:
   void change_slope(const double weight, const Vector& direction, const double change)
   {
     const Vector d = weight * direction;
-    m_H = { m_H[0] + direction.x() * d, m_H[1] + direction.y() * d, m_H[2] + direction.z() * d };
+    m_xx += direction.x() * d.x();
+    m_xy += direction.x() * d.y();
+    m_xz += direction.x() * d.z();
+    m_yy += direction.y() * d.y();
+    m_yz += direction.y() * d.z();
+    m_zz += direction.z() * d.z();
     m_g = m_g + change * d;
   }
 
   // x should be this; some weight is needed for a solution
   void pull(const double weight, const Vector& by)
   {
-    m_H = { m_H[0] + Vector(weight, 0, 0), m_H[1] + Vector(0, weight, 0), m_H[2] + Vector(0, 0, weight) };
+    m_xx += weight;
+    m_yy += weight;
+    m_zz += weight;
     m_g = m_g + weight * by;
   }
 
   // by Cramer's rule: the pull keeps the system well conditioned
   Vector solve() const
   {
-    const double trace = m_H[0].x() + m_H[1].y() + m_H[2].z();
+    const double trace = m_xx + m_yy + m_zz;
     if(!(trace > 0))
       return NULL_VECTOR;
-    const Vector a = m_H[0] / trace, b = m_H[1] / trace, c = m_H[2] / trace, g = m_g / trace;
+    const Vector a = Vector(m_xx, m_xy, m_xz) / trace, b = Vector(m_xy, m_yy, m_yz) / trace,
+                 c = Vector(m_xz, m_yz, m_zz) / trace, g = m_g / trace;
     const Vector b_x_c = cross_product(b, c);
     return Vector(g * b_x_c, g * cross_product(c, a), g * cross_product(a, b)) / (a * b_x_c);
   }
 
 private:
-  std::array<Vector, 3> m_H{ { NULL_VECTOR, NULL_VECTOR, NULL_VECTOR } }; // symmetric
+  double m_xx = 0, m_xy = 0, m_xz = 0, m_yy = 0, m_yz = 0, m_zz = 0; // of H, which is symmetric
   Vector m_g = NULL_VECTOR;
 };
 
@@ -116,26 +137,31 @@ inline Vector correct_normal(const Sector_graph& graph,
   constexpr double area_factor = 10;          // of a facet, beside the squared lengths of the edges
 
   const Vector& n = normals[sector];
+  const Point& p = graph.point(sector);
   Normal_correction correction;
   double sum_of_weights = area_factor * average.largest_area;
-  graph.for_each_edge(sector, [&](Index other, const Vector& direction, const Sector_graph::Edge& edge) {
-    if(edge.weight == 0)
-      return;
-    const double weight = edge.weight * square(edge.length);
-    const double slope = n * direction, slope_at_other = -(normals[other] * direction);
+  for(const Sector_graph::Edge& edge : graph.edges(sector))
+  {
+    if(edge.number_of_sides == 0)
+      continue;
+    // long edges count more: `along` is not normalized
+    const Vector along = graph.point(edge.other) - p;
+    const double slope = n * along, slope_at_other = -(normals[edge.other] * along);
     const double difference = slope - slope_at_other, sum = std::abs(slope) + std::abs(slope_at_other);
     const double outlier = sum > 0 ? difference / (largest_difference * sum) : 0;
-    const double biweight = std::abs(outlier) < 1 ? square(1 - square(outlier)) : 0;
-    correction.change_slope(weight * biweight, direction, -difference);
-    sum_of_weights += weight;
-  });
+    if(std::abs(outlier) < 1)
+      correction.change_slope(edge.number_of_sides * square(1 - square(outlier)), along, -difference);
+    sum_of_weights += edge.number_of_sides * along.squared_length();
+  }
   correction.pull(pull_to_average * sum_of_weights, average.normal - n);
   const Vector step = relaxation * correction.solve();
   const Vector corrected = normalized(n + (step - (step * n) * n));
   // the facets bound the normal
   const Vector from_average = corrected - average.normal;
-  const double distance = norm(from_average);
-  return distance > average.spread ? normalized(average.normal + (average.spread / distance) * from_average) : corrected;
+  const double distance2 = from_average.squared_length();
+  return distance2 > average.squared_spread
+           ? normalized(average.normal + std::sqrt(average.squared_spread / distance2) * from_average)
+           : corrected;
 }
 
 // The normals of the sectors: the patches are tangent to the planes orthogonal to them.

@@ -107,15 +107,16 @@ private:
     {
       if(!m_selection.has_face(face))
         continue;
-      const auto around = halfedges_around_face(halfedge(face, m_pmesh), m_pmesh);
-      m_corners.assign(around.begin(), around.end());
-      const auto is_less = [&](halfedge_descriptor g, halfedge_descriptor h) {
-        return vertex(target(g, m_pmesh)) < vertex(target(h, m_pmesh));
-      };
-      std::rotate(m_corners.begin(), std::min_element(m_corners.begin(), m_corners.end(), is_less), m_corners.end());
+      m_corners.clear();
       m_vertices.clear();
-      for(halfedge_descriptor h : m_corners)
+      for(halfedge_descriptor h : halfedges_around_face(halfedge(face, m_pmesh), m_pmesh))
+      {
+        m_corners.push_back(h);
         m_vertices.push_back(vertex(target(h, m_pmesh)));
+      }
+      const auto first = std::min_element(m_vertices.begin(), m_vertices.end());
+      std::rotate(m_corners.begin(), m_corners.begin() + (first - m_vertices.begin()), m_corners.end());
+      std::rotate(m_vertices.begin(), first, m_vertices.end());
       f();
     }
   }

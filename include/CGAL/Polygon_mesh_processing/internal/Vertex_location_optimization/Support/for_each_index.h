@@ -22,6 +22,7 @@
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 #endif
 
 #include <algorithm>
@@ -52,6 +53,21 @@ void for_each_index(std::size_t n, const F& f)
 #endif
   for(std::size_t i = 0; i < n; ++i)
     f(i);
+}
+
+// Calls f() and g(), which may run at the same time: neither may write what the other one reads or writes.
+template <typename ConcurrencyTag, typename F, typename G>
+void call_both(const F& f, const G& g)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  if constexpr(std::is_convertible<ConcurrencyTag, Parallel_tag>::value)
+  {
+    tbb::parallel_invoke(f, g);
+    return;
+  }
+#endif
+  f();
+  g();
 }
 
 // Calls f(begin, end) for blocks of indices [begin, end) that make [0, n), all of the same size but for the last, whatever

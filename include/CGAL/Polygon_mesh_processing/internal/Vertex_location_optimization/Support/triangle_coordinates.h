@@ -109,6 +109,17 @@ inline Coordinates closest_on_triangle(const std::array<Point, 3>& t, const Poin
   return best;
 }
 
+// Which sides of the triangle, opposite to its corners, are farther from its point x than sqrt(d2).
+inline std::array<bool, 3> sides_farther_than(const std::array<Point, 3>& t, const Coordinates& x, const double d2)
+{
+  const std::array<double, 3> lambda = x.barycentric();
+  const double n2 = area_normal(t[0], t[1], t[2]).squared_length(); // that of the heights times the sides
+  const auto is_farther = [&](int k) {
+    return square(lambda[k]) * n2 > d2 * squared_distance(t[(k + 1) % 3], t[(k + 2) % 3]);
+  };
+  return { is_farther(0), is_farther(1), is_farther(2) };
+}
+
 // What is known of the foot of a point on a patch before it is computed.
 struct Foot_estimate
 {

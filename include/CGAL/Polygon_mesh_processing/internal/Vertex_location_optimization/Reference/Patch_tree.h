@@ -105,9 +105,13 @@ public:
     const auto patch_at = [&](std::size_t place) -> const Patch& { return m_patches[order[place]]; };
     const auto patches_in_order = places | boost::adaptors::transformed(patch_at);
     m_tree.insert(patches_in_order.begin(), patches_in_order.end());
+#if CGAL_VERSION_NR < 1060200000 // later versions may ask for the boxes in another order
     auto box = order.boxes_of_nodes().begin();
     const auto next_box = [&](const auto&, const auto&) { return *box++; };
     m_tree.custom_build(next_box, [](const auto&, const auto&, const auto&) {});
+#else
+    m_tree.build();
+#endif
   }
 
   bool empty() const { return m_patches.empty(); }

@@ -38,7 +38,8 @@
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
 // A reference surface: a patch on each face of a mesh, and the curves of its creases and borders. A model of the concept
-// that `Reference_access.h` documents, which attributes ask how the patches hang together, too. The patches are surface patches: besides what `Patch_tree` asks of a patch they have
+// that `Reference_access.h` documents, which attributes ask how the patches hang together, too. The patches are surface
+// patches: besides what `Patch_tree` asks of a patch they have
 //   - normal(x), a unit vector, or the null vector where the patch has none;
 //   - area(), an approximation;
 //   - flat_coordinates(q), those of the projection to the plane of the corners, which may be beyond the sides;

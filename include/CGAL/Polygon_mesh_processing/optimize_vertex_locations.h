@@ -124,8 +124,8 @@ namespace Polygon_mesh_processing {
  *                           smaller weight gives a smaller error and less regular triangles. Where the present error is
  *                           below 3% of the length of the edges around, the weight is reduced in proportion to it. It is
  *                           that of the first attempt: if the guarantee puts back most vertices and the mean error falls
- *                           by less than 5%, a quarter of it is tried, and a quarter of that, and the result with the
- *                           smallest mean error counts.}
+ *                           by less than 2%, a quarter of it is tried, and a quarter of that, and the result with the
+ *                           smallest mean error counts, unless the mean of the smallest angles falls.}
  *     \cgalParamType{a number type convertible to `double`, or `std::optional<double>`, of which an empty one is the
  *                    default}
  *     \cgalParamDefault{`0.19` where the faces of `pmesh` are regular, with smallest angles of 46 degrees on

@@ -20,6 +20,7 @@
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Guarantee.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/shorten_moves.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Placement/Feature_placement.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Placement/measure_regularity.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Placement/Placement.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Remesh.h>
 
@@ -218,13 +219,14 @@ private:
 // each other, as the weight is.
 inline bool is_in_vain(const Vertex_location_optimization_report& report, const Remesh& remesh)
 {
-  constexpr double small_gain = 0.05;
+  constexpr double small_gain = 0.02;
   return 2 * report.corrected_for_error > remesh.points.size() &&
          report.final_error.mean > (1 - small_gain) * report.initial_error.mean;
 }
 
 // `remesh.points` are the result. If the weight of the regularity turns out to be too large for any gain, it tries smaller
-// ones; the best result counts. `make_placement(options)` makes a placement.
+// ones; the best result counts whose angles are not smaller than those of M_0, on an average: a mesh that is at its end does
+// not go on to trade them for the error. `make_placement(options)` makes a placement.
 template <typename ConcurrencyTag,
           typename Reference,
           typename AllowMove,
@@ -257,7 +259,8 @@ Vertex_location_optimization_report optimize(const Reference& reference,
     remesh.restart();
     of_attempt.part_of_regularity *= factor;
     const Vertex_location_optimization_report report = run(of_attempt);
-    if(report.final_error.mean < best.final_error.mean)
+    if(report.final_error.mean < best.final_error.mean &&
+       mean_smallest_angle(remesh, remesh.points) >= mean_smallest_angle(remesh, remesh.initial_points))
       best = report;
     else
       remesh.points = best_points;

@@ -36,6 +36,15 @@ inline double smallest_angle(const std::array<Point, 3>& t)
   return std::asin((std::min)(1., sine)) * 180 / CGAL_PI;
 }
 
+// of the faces with the vertices at `points`
+inline double mean_smallest_angle(const Remesh& remesh, const std::vector<Point>& points)
+{
+  double sum = 0;
+  for(std::size_t f = 0; f < remesh.number_of_faces(); ++f)
+    sum += smallest_angle(remesh.triangle(f, points));
+  return sum / static_cast<double>((std::max)(remesh.number_of_faces(), std::size_t(1)));
+}
+
 // The means of values at the vertices over their neighborhoods.
 inline std::vector<double> averaged_over_neighbors(const Remesh& remesh, const std::vector<double>& values)
 {

@@ -122,7 +122,8 @@ public:
     m_points.clear();
     m_normals.clear();
     m_weights.clear();
-    m_feet.clear();
+    m_feet = std::vector<Patch_foot>(); // frees the memory, which the tree of the faces needs
+    m_samples_of_faces = Index_groups();
     if(m_area > 0)
     {
       m_points.reserve(n);

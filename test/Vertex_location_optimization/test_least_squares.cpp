@@ -144,6 +144,17 @@ void test_regularity_weight()
   }
 }
 
+// The weight of a call is that of the next, and no sample is lost on the way: what creases and folded parts can gain is gained.
+void test_one_call_at_creases()
+{
+  start_topic("One call reaches what an unmarked crease can gain");
+  const Mesh reference = read_model("fandisk");
+  const Mesh remesh = make_remesh(reference, 0.0366); // 2000 vertices
+  const Mesh mesh = optimized(remesh, reference, PMP::LEAST_SQUARES);
+  CHECK_AT_MOST(measure_errors(mesh, 6, Distance_to_mesh(reference)).mean, 0.62e-4 * longest_side(reference));
+  CHECK_AT_LEAST(mean_min_angle(mesh), 49.4);
+}
+
 // CGAL's default simplification, which has small errors and anisotropic faces already
 Mesh simplified(Mesh mesh, std::size_t number_of_edges)
 {
@@ -164,6 +175,21 @@ void test_simplified_meshes()
     const Mesh mesh = optimized(remesh, reference, PMP::LEAST_SQUARES);
     CHECK_AT_MOST(measure_errors(mesh, 4, distance).mean, 0.95 * measure_errors(remesh, 4, distance).mean);
     CHECK_AT_LEAST(mean_min_angle(mesh), mean_min_angle(remesh));
+  }
+}
+
+void test_too_large_weight()
+{
+  start_topic("Where the weight is too large for any gain, a smaller one is tried");
+  const Mesh reference = read_model("bunny00");
+  const Mesh remesh = simplified(reference, 1500); // of 500 vertices
+  const Distance_to_mesh distance(reference);
+  const double before = measure_errors(remesh, 4, distance).mean;
+  for(double weight : { 0.2, 0.8 })
+  {
+    const Mesh mesh =
+      optimized_with(remesh, reference, params::placement_method(PMP::LEAST_SQUARES).regularity_weight(weight));
+    CHECK_AT_MOST(measure_errors(mesh, 4, distance).mean, 0.95 * before);
   }
 }
 
@@ -259,7 +285,9 @@ int main()
   test_tip();
   test_regularity_weight();
   test_simplified_meshes();
+  test_too_large_weight();
   test_one_call();
+  test_one_call_at_creases();
   test_planes();
   test_graded_mesh();
   test_equivariance();

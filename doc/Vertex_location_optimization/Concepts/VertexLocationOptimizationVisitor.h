@@ -20,7 +20,8 @@ class VertexLocationOptimizationVisitor
 public:
   /*!
    * is called before each phase; `phase` is the one that starts. If there was an iteration, the last phase of the run is
-   * `ENFORCE_GUARANTEE`, also if `go_further()` has ended it.
+   * `ENFORCE_GUARANTEE`, also if `go_further()` has ended it. With `LEAST_SQUARES` there may be further attempts with
+   * smaller weights of the regularity: each has its phases and counts its iterations from the first.
    */
   void start_phase(CGAL::Polygon_mesh_processing::Vertex_location_optimization_phase phase);
 
@@ -31,9 +32,9 @@ public:
   void end_iteration(const CGAL::Polygon_mesh_processing::Vertex_location_optimization_report& report);
 
   /*!
-   * is called before each phase of an iteration, before `start_phase()`. If it returns `false`, the iterations end: the
-   * unfinished one is discarded, and the result is that of the complete ones, with the same guarantees as after a full
-   * run. It is not called before `ENFORCE_GUARANTEE`, which is always done: that takes as long as several iterations,
+   * is called before each phase of an iteration, before `start_phase()`, and before a further attempt. If it returns
+   * `false`, the iterations end: the unfinished one is discarded, and the result is that of the complete ones, with the
+   * same guarantees as after a full run. It is not called before `ENFORCE_GUARANTEE`, which is always done: that takes as long as several iterations,
    * and longer where many moves have to be shortened.
    */
   bool go_further();

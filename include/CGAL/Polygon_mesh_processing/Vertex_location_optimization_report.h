@@ -82,7 +82,8 @@ struct Approximation_error
  */
 struct Vertex_location_optimization_report
 {
-  /// the number of iterations done; `0` if the input was unsuitable
+  /// the number of iterations done; `0` if the input was unsuitable. If there were several attempts, with smaller weights of
+  /// the regularity, this is that of the one whose result counts, as is all that follows
   std::size_t iterations = 0;
 
   /// whether the run ended because no vertex moved farther than the convergence threshold
@@ -164,7 +165,7 @@ struct Vertex_location_optimization_default_visitor
   /// is called before each phase.
   void start_phase(Vertex_location_optimization_phase) {}
 
-  /// is called after each iteration with the report so far.
+  /// is called after each iteration with the report so far; a second attempt starts anew.
   void end_iteration(const Vertex_location_optimization_report&) {}
 
   /// is called before each phase of an iteration; if it returns `false`, the run ends with the result of the last complete

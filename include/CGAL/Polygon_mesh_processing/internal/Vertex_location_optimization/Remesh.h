@@ -111,6 +111,9 @@ struct Remesh : Mesh_arrays
     points = next_points;
   }
 
+  // goes back to M_0
+  void restart() { points = previous_points = next_points = initial_points; }
+
   // the points of M_t are those of the base
   const Constraints constraints;
   const std::vector<Point> initial_points; // of M_0

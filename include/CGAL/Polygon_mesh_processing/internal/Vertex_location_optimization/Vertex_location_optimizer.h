@@ -20,6 +20,7 @@
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Guarantee.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/shorten_moves.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Placement/Feature_placement.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Placement/measure_regularity.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Placement/Placement.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Remesh.h>
 
@@ -214,18 +215,57 @@ private:
   Report m_report;
 };
 
-// `remesh.points` are the result.
-template <typename ConcurrencyTag, typename Reference, typename AllowMove, typename FindSelfIntersections, typename Visitor>
+// Whether the guarantee has put back most of the mesh and little is gained: regularity and a smaller error exclude
+// each other, as the weight is.
+inline bool is_in_vain(const Vertex_location_optimization_report& report, const Remesh& remesh)
+{
+  constexpr double small_gain = 0.02;
+  return 2 * report.corrected_for_error > remesh.points.size() &&
+         report.final_error.mean > (1 - small_gain) * report.initial_error.mean;
+}
+
+// `remesh.points` are the result. If the weight of the regularity turns out to be too large for any gain, it tries smaller
+// ones; the best result counts whose angles are not smaller than those of M_0, on an average: a mesh that is at its end does
+// not go on to trade them for the error. `make_placement(options)` makes a placement.
+template <typename ConcurrencyTag,
+          typename Reference,
+          typename AllowMove,
+          typename FindSelfIntersections,
+          typename Visitor,
+          typename MakePlacement>
 Vertex_location_optimization_report optimize(const Reference& reference,
                                              const Optimization_options& options,
                                              const AllowMove& allow_move,
                                              const FindSelfIntersections& find_self_intersections,
                                              Visitor& visitor,
-                                             std::unique_ptr<Placement<Reference>> placement,
+                                             const MakePlacement& make_placement,
                                              Remesh& remesh)
 {
   using Optimizer = Vertex_location_optimizer<ConcurrencyTag, Reference, AllowMove, FindSelfIntersections, Visitor>;
-  return Optimizer(reference, options, allow_move, find_self_intersections, visitor, remesh).run(std::move(placement));
+  constexpr int max_attempts = 3; // they bound the time
+  constexpr double factor = 0.25; // from attempt to attempt
+  const auto run = [&](const Optimization_options& of_attempt) {
+    return Optimizer(reference, of_attempt, allow_move, find_self_intersections, visitor, remesh)
+      .run(make_placement(of_attempt));
+  };
+
+  Vertex_location_optimization_report best = run(options);
+  if(options.placement_method != LEAST_SQUARES || options.regularity_weight == 0.)
+    return best;
+  Optimization_options of_attempt = options;
+  for(int attempt = 1; attempt < max_attempts && is_in_vain(best, remesh) && visitor.go_further(); ++attempt)
+  {
+    const std::vector<Point> best_points = remesh.points;
+    remesh.restart();
+    of_attempt.part_of_regularity *= factor;
+    const Vertex_location_optimization_report report = run(of_attempt);
+    if(report.final_error.mean < best.final_error.mean &&
+       mean_smallest_angle(remesh, remesh.points) >= mean_smallest_angle(remesh, remesh.initial_points))
+      best = report;
+    else
+      remesh.points = best_points;
+  }
+  return best;
 }
 
 } // namespace CGAL::Polygon_mesh_processing::internal::vertex_location

@@ -139,9 +139,9 @@ Vertex_location_optimization_report optimize_faces(PolygonMesh& pmesh,
 
   const auto report =
     with_reference<ConcurrencyTag>(remesh, reference, np2, Vertex_location_optimization_report(), [&](const auto& surface) {
-      Vertex_location_optimization_report result =
-        optimize<ConcurrencyTag>(surface, options, allow_move, find_self_intersections, visitor,
-                                 make_placement<ConcurrencyTag>(surface, remesh, options), remesh);
+      Vertex_location_optimization_report result = optimize<ConcurrencyTag>(
+        surface, options, allow_move, find_self_intersections, visitor,
+        [&](const Optimization_options& o) { return make_placement<ConcurrencyTag>(surface, remesh, o); }, remesh);
       result.reference = surface.template summary<ConcurrencyTag>();
       return result;
     });

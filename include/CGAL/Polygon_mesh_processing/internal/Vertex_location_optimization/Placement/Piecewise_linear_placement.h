@@ -58,7 +58,7 @@ class Piecewise_linear_placement : public Placement<Reference>
 
 public:
   Piecewise_linear_placement(const Reference& reference, Remesh& remesh, const Optimization_options& options)
-    : Base(reference, remesh, Sample_set::MIDPOINT_LOCATIONS, false),
+    : Base(reference, remesh, Sample_set::MIDPOINT_LOCATIONS),
       m_number_of_relaxation_steps(options.number_of_relaxation_steps)
   {}
 
@@ -66,7 +66,7 @@ public:
   {
     if(!m_number_of_relaxation_steps)
       m_regularity = measure_regularity(m_remesh);
-    return this->template start_samples<ConcurrencyTag>();
+    return m_samples.template start<ConcurrencyTag>(m_reference, m_remesh);
   }
 
   void resample(const Iteration& iteration) override

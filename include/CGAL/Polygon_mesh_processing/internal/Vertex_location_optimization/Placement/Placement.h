@@ -16,7 +16,6 @@
 #include <CGAL/license/Vertex_location_optimization.h>
 
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Remesh.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Sampling/Area_samples.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Sampling/Remesh_samples.h>
 #include <CGAL/Polygon_mesh_processing/Placement_method.h>
 
@@ -39,6 +38,8 @@ struct Optimization_options
   // where the user has not chosen one, the default, but less where the faces of M_0 are irregular
   std::optional<std::size_t> number_of_relaxation_steps = std::nullopt;
   std::optional<double> regularity_weight = std::nullopt; // of LEAST_SQUARES
+
+  double part_of_regularity = 1; // how much of the weight is taken; not chosen by the user
 };
 
 // Where a run is.
@@ -55,8 +56,8 @@ template <typename Reference>
 class Placement
 {
 public:
-  Placement(const Reference& reference, Remesh& remesh, const Sample_set set, const bool takes_area_samples)
-    : m_reference(reference), m_remesh(remesh), m_samples(remesh, set), m_takes_area_samples(takes_area_samples)
+  Placement(const Reference& reference, Remesh& remesh, const Sample_set set)
+    : m_reference(reference), m_remesh(remesh), m_samples(remesh, set)
   {}
 
   virtual ~Placement() = default;
@@ -82,21 +83,9 @@ public:
   Remesh_samples<Reference>& samples() { return m_samples; }
 
 protected:
-  template <typename ConcurrencyTag>
-  Initial_measure start_samples()
-  {
-    Initial_measure measure = m_samples.template start<ConcurrencyTag>(m_reference, m_remesh);
-    if(m_takes_area_samples)
-      m_area_samples.template start<ConcurrencyTag>(
-        m_reference, m_remesh, [&](std::size_t f) { return m_samples.midpoints.hint(m_remesh.edge_at_first_vertex(f)); });
-    return measure;
-  }
-
   const Reference& m_reference;
   Remesh& m_remesh;
   Remesh_samples<Reference> m_samples;
-  Area_samples m_area_samples; // of the reference; empty if they are not taken
-  const bool m_takes_area_samples;
 };
 
 } // namespace CGAL::Polygon_mesh_processing::internal::vertex_location

@@ -137,7 +137,7 @@ void project_to_faces(const Patch_tree<Flat_triangle>& tree, const std::size_t n
 class Area_samples
 {
 public:
-  // Takes the samples. `hint(f)` is a foot of face f on the reference.
+  // Takes the samples, in place of those that there may be. `hint(f)` is a foot of face f on the reference.
   template <typename ConcurrencyTag, typename Reference, typename HintOfFace>
   void start(const Reference& reference, const Remesh& remesh, const HintOfFace& hint)
   {
@@ -146,6 +146,11 @@ public:
     const double number_of_triangles = remesh.total_weight() + remesh.surroundings.total_weight();
     const std::size_t n = samples_per_face * static_cast<std::size_t>(std::round(number_of_triangles));
     m_area = reference.area() / n;
+    m_points.clear();
+    m_normals.clear();
+    m_weights.clear();
+    m_feet = std::vector<Patch_foot>(); // frees the memory, which the tree of the faces needs
+    m_samples_of_faces = Index_groups();
     if(m_area > 0)
     {
       m_points.reserve(n);

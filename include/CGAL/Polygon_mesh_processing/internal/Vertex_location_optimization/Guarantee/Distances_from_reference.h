@@ -15,6 +15,7 @@
 
 #include <CGAL/license/Vertex_location_optimization.h>
 
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/climb_in_patch.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Measure/Error_integral.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Remesh.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Sampling/Area_samples.h>
@@ -126,21 +127,18 @@ public:
     return { std::move(initial), std::move(changes) };
   }
 
-  // The samples, and corners of the reference to which climbing leads, whose distance exceeds the largest one with the
-  // initial points and what it was there.
+  // The samples, and points of the reference to which climbing from them leads, whose distance exceeds the largest one with
+  // the initial points and what it was there.
   std::vector<Distant_sample> find_distant() const
   {
-    const double least = (m_has_corners ? 1 : close) * m_initial_maximum;
     std::vector<Far_point> far_points;
-    std::vector<Index> candidates;
-    for(Index i = 0; i < m_samples.size(); ++i)
-      if(m_samples[i].distance > least)
-        candidates.push_back(i);
-    if(!candidates.empty())
+    const auto may_be_near_to_one = [&](const Sample& s) { return s.distance > close * m_initial_maximum; };
+    if(std::any_of(m_samples.begin(), m_samples.end(), may_be_near_to_one))
     {
       const Tree tree = make_face_tree(m_remesh, m_remesh.next_points);
-      for(Index i : candidates)
-        add_far_points(m_samples[i], tree, least, far_points);
+      for(const Sample& s : m_samples)
+        if(may_be_near_to_one(s))
+          add_far_point(s, tree, far_points);
     }
     std::vector<Distant_sample> result;
     if(far_points.empty())
@@ -178,7 +176,7 @@ private:
   };
 
   // The farthest points of a flat reference most often are corners of it. Where it is much finer than the remesh they are too
-  // many, and climbing leads to them.
+  // many, and climbing leads to them; where it is coarse the middles of its sides are as far away.
   template <typename ConcurrencyTag, typename HintOfFace>
   void take_samples(const HintOfFace& hint)
   {
@@ -196,6 +194,9 @@ private:
     m_has_corners = m_reference.number_of_patches() <= most_patches_per_sample * n;
     if(m_has_corners)
       m_reference.for_each_corner([&](const auto& foot) { add(foot, 0); });
+    if constexpr(Reference::walks)
+      if(m_reference.number_of_patches() <= n)
+        for_each_middle_of_side(m_reference, [&](const Patch_foot& foot) { add(foot, 0); });
   }
 
   double mean_of(float Sample::*distance) const { return error<Sequential_tag>(distance, 0).mean; }
@@ -226,30 +227,39 @@ private:
     {
       const Sample& s = m_samples[i];
       const double distance = closest_in(tree, s.point, s.face).distance;
-      largest = (std::max)(largest, distance);
-      if(!m_has_corners && distance >= close * largest)
-        largest = (std::max)(largest, closest_in(tree, top(s, tree), s.face).distance);
+      largest = (std::max)({ largest, distance, distance >= close * largest ? climb(s, tree, largest).closest.distance : 0 });
     }
     return largest;
   }
 
-  // the corner of the reference to which climbing leads from a sample
-  Point top(const Sample& s, const Tree& tree) const
+  // Where climbing from a sample leads, from corner to corner of a reference that is fine, and then between the corners; or
+  // the sample itself if it leads nowhere above `limit`.
+  Far_point climb(const Sample& s, const Tree& tree, const double limit) const
   {
-    const auto height = [&](const auto& foot) { return closest_in(tree, m_reference.point(foot), s.face).distance; };
-    return m_reference.point(m_reference.climb(m_reference.project(s.point), height));
+    Far_point top{ s.point, closest_in(tree, s.point, s.face) };
+    if constexpr(Reference::walks)
+    {
+      const auto height = [&](const Patch_foot& foot) { return closest_in(tree, m_reference.point(foot), s.face).distance; };
+      Patch_foot foot = m_reference.project(s.point);
+      if(!m_has_corners)
+        foot = m_reference.climb(foot, height);
+      constexpr double large = 0.5; // relative to the distance; between the corners of smaller patches nothing is far higher
+      const double length = length_of_patch(m_reference, foot);
+      if(length > large * limit && height(foot) + length > limit) // no distance is steeper than one
+        foot = climb_in_patch(foot, height);
+      const Point p = m_reference.point(foot);
+      const Closest closest = closest_in(tree, p, s.face);
+      if(closest.distance > top.closest.distance)
+        top = { p, closest };
+    }
+    return top;
   }
 
-  void add_far_points(const Sample& s, const Tree& tree, const double least, std::vector<Far_point>& far_points) const
+  void add_far_point(const Sample& s, const Tree& tree, std::vector<Far_point>& far_points) const
   {
-    const auto add = [&](const Point& q) {
-      const Closest closest = closest_in(tree, q, s.face);
-      if(closest.distance > m_initial_maximum)
-        far_points.push_back({ q, closest });
-      return closest.distance > least;
-    };
-    if(add(s.point) && !m_has_corners)
-      add(top(s, tree));
+    const Far_point top = climb(s, tree, m_initial_maximum);
+    if(top.closest.distance > m_initial_maximum)
+      far_points.push_back(top);
   }
 
   static Closest closest_in(const Tree& tree, const Point& query, Index hint)
@@ -303,7 +313,7 @@ private:
   }
 
   // relative to the maximum; from samples of less, climbing is not thought to lead above it
-  static constexpr double close = 0.7;
+  static constexpr double close = 0.6;
 
   const Reference& m_reference;
   const Remesh& m_remesh;

@@ -25,7 +25,6 @@
 #include <CGAL/Polygon_mesh_processing/Vertex_location_optimization_report.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -40,6 +39,28 @@ struct Initial_quality
   std::vector<Face_orientation> orientations;
 };
 
+// Measures the mean distances of the faces with the vertices at `points`, given `sides(f)`, and those of all faces together.
+template <typename ConcurrencyTag, typename Reference, typename SidesOf>
+Error_integral measure_means(const Reference& reference,
+                             const Remesh& remesh,
+                             const std::vector<Point>& points,
+                             const Fineness_of_mean fineness,
+                             const SidesOf& sides,
+                             std::vector<float>& means,
+                             std::vector<float>& maxima)
+{
+  constexpr bool is_exact = true; // where walking leads astray the distance is too large, and the result could be, too
+  const Face_sampling sampling(remesh, points, fineness);
+  return sum_over_indices<ConcurrencyTag, Error_integral>(remesh.number_of_faces(), [&](std::size_t f) {
+    const auto of_face = sides(f);
+    const Face_distances d = sampling.measure(reference, f, remesh.triangle(f, points), of_face, is_exact);
+    maxima[f] = static_cast<float>((std::max)(d.max, of_face.largest_distance()));
+    means[f] = static_cast<float>(d.mean);
+    const double area = remesh.area(f, points);
+    return Error_integral{ area, area * d.mean, area * d.mean_square, maxima[f] };
+  });
+}
+
 // Measures M_0 in the first iteration, when it has been sampled.
 template <typename ConcurrencyTag, typename Reference>
 Initial_quality measure_initial_quality(const Reference& reference,
@@ -47,27 +68,25 @@ Initial_quality measure_initial_quality(const Reference& reference,
                                         const Remesh_samples<Reference>& samples,
                                         Initial_measure measure)
 {
-  constexpr bool is_exact = true; // where walking leads astray the distance is too large, and the result could be, too
-  const Face_sampling sampling(remesh, remesh.points);
-  std::vector<float> means(remesh.number_of_faces()), maxima(means.size());
-  const auto integral = sum_over_indices<ConcurrencyTag, Error_integral>(remesh.number_of_faces(), [&](std::size_t f) {
-    std::array<typename Reference::Foot, 3> feet, midpoint_feet;
+  const auto sides = [&](std::size_t f) {
+    Face_sides<typename Reference::Foot> result;
     for(int k = 0; k < 3; ++k)
     {
-      feet[k] = samples.vertices.hint(remesh.face(f)[k]);
-      midpoint_feet[k] = samples.midpoints.hint(remesh.face_edges[f][k]);
+      const Index i = remesh.face(f)[k], e = remesh.face_edges[f][k];
+      result.feet[k] = samples.vertices.hint(i);
+      result.offsets[k] = samples.vertices.offset(i);
+      result.midpoint_feet[k] = samples.midpoints.hint(e);
+      result.midpoint_offsets[k] = samples.midpoints.offset(e);
     }
-    const Face_distances d = sampling.measure(reference, f, remesh.triangle(f), feet, midpoint_feet,
-                                              measure.distances.maximum_on_sides(remesh, f), is_exact);
-    maxima[f] = static_cast<float>((std::max)(d.max, measure.distances.maximum(remesh, f)));
-    means[f] = static_cast<float>(d.mean);
-    const double area = remesh.area(f);
-    return Error_integral{ area, area * d.mean, area * d.mean_square, maxima[f] };
-  });
-
+    return result;
+  };
+  std::vector<float> means(remesh.number_of_faces()), maxima(means.size());
+  const Error_integral integral = measure_means<ConcurrencyTag>(reference, remesh, remesh.points, Fineness_of_mean::COARSE,
+                                                                sides, means, maxima);
   Initial_quality quality{ integral.error(), std::move(means), std::move(measure.orientations) };
   quality.error.max = largest_distance(
-    reference, remesh, remesh.points, [&](std::size_t f) { return maxima[f]; },
+    reference, remesh, remesh.points,
+    [&](std::size_t f) { return (std::max)(double(maxima[f]), measure.distances.at_barycenters[f]); },
     [&](std::size_t f) { return samples.vertices.hint(remesh.first_vertex(f)); });
   return quality;
 }

@@ -44,43 +44,35 @@ class Result_distances
 
   static constexpr float unknown = -1; // a distance that is not measured
 
-  // The distances at some queries, and where to search for their closest points.
-  struct Samples
+  // The closest points to some queries.
+  struct Samples : Sample_offsets<Hint>
   {
-    explicit Samples(Sample_offsets<Hint>& samples) : hints(std::move(samples.hints)), distances(samples.offsets.size())
-    {
-      std::transform(samples.offsets.begin(), samples.offsets.end(), distances.begin(), norm);
-      samples.offsets = {};
-    }
-
     // for query k, which goes from `from` to `to`; the edges there have this length
-    void measure(std::size_t k, const Result_distances& of_remesh, const Point& from, const Point& to, double length)
+    void measure(std::size_t k, const Reference& reference, const Point& from, const Point& to, double length)
     {
-      const double near = near_by(distances[k] + norm(to - from) / 2, length);
-      const Foot foot = walk_or_search(of_remesh.m_reference, to, hints[k], near);
-      distances[k] = distance_to_foot(to, of_remesh.m_reference, foot);
-      hints[k] = foot;
+      const double near = near_by(norm(this->offsets[k]) + norm(to - from) / 2, length);
+      const Foot foot = walk_or_search(reference, to, this->hints[k], near);
+      this->offsets[k] = reference.point(foot) - to;
+      this->hints[k] = foot;
     }
-
-    std::vector<Hint> hints;
-    std::vector<double> distances;
   };
 
   // in single precision, as there are many
   struct Face
   {
-    float mean, mean_square, max;
-    Face_orientation orientation; // at the barycenter
+    float mean, mean_square, variance, max; // the variance is that of the mean
+    Face_orientation orientation;           // at the barycenter
   };
 
 public:
   // `samples` are those of the points of the remesh, with which it goes on
   Result_distances(const Reference& reference,
                    const Remesh& remesh,
-                   const Initial_quality& initial,
+                   Initial_quality& initial,
                    Remesh_sample_offsets<Hint> samples)
-    : m_reference(reference), m_remesh(remesh), m_initial(initial), m_sampling(remesh, remesh.initial_points),
-      m_vertices(samples.vertices), m_midpoints(samples.midpoints), m_points(remesh.points),
+    : m_reference(reference), m_remesh(remesh), m_initial(initial),
+      m_sampling(remesh, remesh.initial_points, Fineness_of_mean::COARSE), m_vertices{ std::move(samples.vertices) },
+      m_midpoints{ std::move(samples.midpoints) }, m_points(remesh.points),
       m_faces(remesh.number_of_faces()), m_initial_maxima(remesh.number_of_faces(), unknown)
   {}
 
@@ -89,7 +81,8 @@ public:
   void measure()
   {
     for_each_element<ConcurrencyTag>(
-      m_remesh, [&](std::size_t i) { measure_vertex(i); }, [&](std::size_t e) { measure_midpoint(e); },
+      m_remesh, [&](std::size_t i) { measure_vertex(m_vertices, i, m_points, m_remesh.next_points); },
+      [&](std::size_t e) { measure_midpoint(m_midpoints, e, m_points, m_remesh.next_points); },
       [&](std::size_t f) {
         constexpr std::size_t ahead = 8;
         if(f + ahead < m_remesh.number_of_faces())
@@ -99,6 +92,26 @@ public:
           restore_face(f);
       });
     m_points = m_remesh.next_points;
+  }
+
+  // Measures the means again, the initial ones, too, at more samples.
+  template <typename ConcurrencyTag>
+  void refine()
+  {
+    constexpr Fineness_of_mean fineness = Fineness_of_mean::FINE;
+    m_sampling = Face_sampling(m_remesh, m_remesh.initial_points, fineness);
+    Samples vertices = m_vertices, midpoints = m_midpoints;
+    const std::vector<Point>& initial_points = m_remesh.initial_points;
+    for_each_element<ConcurrencyTag>(
+      m_remesh, [&](std::size_t i) { measure_vertex(vertices, i, m_points, initial_points); },
+      [&](std::size_t e) { measure_midpoint(midpoints, e, m_points, initial_points); }, [](std::size_t) {});
+    std::vector<float> maxima(m_faces.size());
+    const Approximation_error error = measure_means<ConcurrencyTag>(
+      m_reference, m_remesh, initial_points, fineness, [&](std::size_t f) { return sides(f, vertices, midpoints); },
+      m_initial.means, maxima).error();
+    m_initial.error.mean = error.mean;
+    m_initial.error.rms = error.rms;
+    measure<ConcurrencyTag>();
   }
 
   // Measures again what has changed since; returns the faces, in increasing order.
@@ -119,8 +132,12 @@ public:
       std::sort(indices->begin(), indices->end());
       indices->erase(std::unique(indices->begin(), indices->end()), indices->end());
     }
-    for_each_index<ConcurrencyTag>(vertices.size(), [&](std::size_t k) { measure_vertex(vertices[k]); });
-    for_each_index<ConcurrencyTag>(edges.size(), [&](std::size_t k) { measure_midpoint(edges[k]); });
+    for_each_index<ConcurrencyTag>(vertices.size(), [&](std::size_t k) {
+      measure_vertex(m_vertices, vertices[k], m_points, m_remesh.next_points);
+    });
+    for_each_index<ConcurrencyTag>(edges.size(), [&](std::size_t k) {
+      measure_midpoint(m_midpoints, edges[k], m_points, m_remesh.next_points);
+    });
     for_each_index<ConcurrencyTag>(faces.size(), [&](std::size_t k) {
       if(has_moved(faces[k]))
         measure_face(faces[k]);
@@ -163,12 +180,8 @@ public:
   // the integral over face f
   double integral(std::size_t f) const { return m_remesh.area(f, m_remesh.next_points) * m_faces[f].mean; }
 
-  // of that integral, as the samples tell
-  double variance(std::size_t f) const
-  {
-    const double of_samples = (std::max)(0., m_faces[f].mean_square - square(double(m_faces[f].mean)));
-    return square(m_remesh.area(f, m_remesh.next_points)) * of_samples / m_sampling.number_of_samples(f);
-  }
+  // of that integral
+  double variance(std::size_t f) const { return square(m_remesh.area(f, m_remesh.next_points)) * m_faces[f].variance; }
 
   // at the barycenter of face f
   Face_orientation orientation(std::size_t f) const { return m_faces[f].orientation; }
@@ -182,7 +195,7 @@ public:
   }
 
   // the largest of the samples on face f
-  double sampled_maximum(std::size_t f) const { return (std::max)(double(m_faces[f].max), maximum_on_sides(f)); }
+  double sampled_maximum(std::size_t f) const { return (std::max)(double(m_faces[f].max), sides(f).largest_distance()); }
 
   double maximum() const
   {
@@ -222,26 +235,34 @@ private:
   // corner or a midpoint of a side.
   bool may_exceed(std::size_t f, double limit) const
   {
-    constexpr double small = 0.15; // relative to the limit; where no sample is larger none is thought to be missing
+    // relative to the limit; where no sample is larger, no point between them is thought to be
+    constexpr double small_if_smooth = 0.6, small_at_edges = 0.05;
     const double sampled = sampled_maximum(f);
-    if(sampled <= small * limit)
-      return false;
     const std::array<Point, 3> t = m_remesh.triangle(f, m_remesh.next_points);
     const double longest2 =
       (std::max)({ squared_distance(t[0], t[1]), squared_distance(t[1], t[2]), squared_distance(t[2], t[0]) });
     const double radius = std::sqrt(longest2 / 12); // no point is farther away from all corners and midpoints
-    return sampled + radius > limit;
+    if(sampled + radius <= limit)
+      return false;
+    const Face_sides<Foot> of_face = sides(f);
+    const double small = Face_sampling::is_smooth(m_reference, of_face) ? small_if_smooth : small_at_edges;
+    return sampled > small * limit || distance_to_planes_of_quarters(m_reference, t, of_face) > small_if_smooth * limit;
   }
 
-  Face_distances sample(std::size_t f, const std::vector<Point>& points) const
+  Face_sides<Foot> sides(std::size_t f) const { return sides(f, m_vertices, m_midpoints); }
+
+  Face_sides<Foot> sides(std::size_t f, const Samples& vertices, const Samples& midpoints) const
   {
-    std::array<Foot, 3> feet, midpoint_feet;
+    Face_sides<Foot> result;
     for(int k = 0; k < 3; ++k)
     {
-      feet[k] = m_vertices.hints[m_remesh.face(f)[k]];
-      midpoint_feet[k] = m_midpoints.hints[m_remesh.face_edges[f][k]];
+      const Index i = m_remesh.face(f)[k], e = m_remesh.face_edges[f][k];
+      result.feet[k] = vertices.hints[i];
+      result.offsets[k] = vertices.offsets[i];
+      result.midpoint_feet[k] = midpoints.hints[e];
+      result.midpoint_offsets[k] = midpoints.offsets[e];
     }
-    return m_sampling.measure(m_reference, f, m_remesh.triangle(f, points), feet, midpoint_feet, maximum_on_sides(f));
+    return result;
   }
 
   bool has_moved(std::size_t f) const
@@ -250,34 +271,28 @@ private:
     return std::any_of(v.begin(), v.end(), [&](Index i) { return m_remesh.next_points[i] != m_remesh.initial_points[i]; });
   }
 
-  double maximum_on_sides(std::size_t f) const
+  using Points = std::vector<Point>;
+
+  void measure_vertex(Samples& vertices, std::size_t i, const Points& from, const Points& to) const
   {
-    double result = 0;
-    for(int k = 0; k < 3; ++k)
-      result =
-        (std::max)({ result, m_vertices.distances[m_remesh.face(f)[k]], m_midpoints.distances[m_remesh.face_edges[f][k]] });
-    return result;
+    vertices.measure(i, m_reference, from[i], to[i], m_remesh.lengths[i]);
   }
 
-  void measure_vertex(std::size_t i)
+  void measure_midpoint(Samples& midpoints, std::size_t e, const Points& from, const Points& to) const
   {
-    m_vertices.measure(i, *this, m_points[i], m_remesh.next_points[i], m_remesh.lengths[i]);
-  }
-
-  void measure_midpoint(std::size_t e)
-  {
-    m_midpoints.measure(e, *this, m_remesh.midpoint(e, m_points), m_remesh.midpoint(e, m_remesh.next_points),
-                        m_remesh.length_at(m_remesh.edges[e]));
+    const double length = m_remesh.length_at(m_remesh.edges[e]);
+    midpoints.measure(e, m_reference, m_remesh.midpoint(e, from), m_remesh.midpoint(e, to), length);
   }
 
   // The orientation is that at the closest point: on a thin part that of another sheet has the opposite normal.
   void measure_face(std::size_t f)
   {
-    const Face_distances d = sample(f, m_remesh.next_points);
-    const Point p = point_at(m_remesh.triangle(f, m_remesh.next_points), barycenter_coordinates);
+    const std::array<Point, 3> t = m_remesh.triangle(f, m_remesh.next_points);
+    const Face_distances d = m_sampling.measure(m_reference, f, t, sides(f));
+    const Point p = point_at(t, barycenter_coordinates);
     const Foot foot = m_reference.project(p, barycenter_hint(f));
     const double at_barycenter = distance_to_foot(p, m_reference, foot);
-    m_faces[f] = { static_cast<float>(d.mean), static_cast<float>(d.mean_square),
+    m_faces[f] = { static_cast<float>(d.mean), static_cast<float>(d.mean_square), static_cast<float>(d.variance),
                    static_cast<float>((std::max)(d.max, at_barycenter)),
                    orientation_at(m_reference, foot, m_remesh.area_normal(f, m_remesh.next_points)) };
   }
@@ -291,8 +306,8 @@ private:
 
   const Reference& m_reference;
   const Remesh& m_remesh;
-  const Initial_quality& m_initial;
-  const Face_sampling m_sampling;
+  Initial_quality& m_initial;
+  Face_sampling m_sampling;
   Samples m_vertices, m_midpoints;
   std::vector<Point> m_points; // of the vertices, for which the samples were taken
   std::vector<Face> m_faces;

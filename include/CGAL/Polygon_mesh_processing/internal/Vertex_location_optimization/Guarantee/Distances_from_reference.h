@@ -227,7 +227,8 @@ private:
     {
       const Sample& s = m_samples[i];
       const double distance = closest_in(tree, s.point, s.face).distance;
-      largest = (std::max)({ largest, distance, distance >= close * largest ? climb(s, tree, largest).closest.distance : 0 });
+      largest =
+        (std::max)({ largest, distance, distance >= close * largest ? climb(s, tree, largest).closest.distance : 0 });
     }
     return largest;
   }

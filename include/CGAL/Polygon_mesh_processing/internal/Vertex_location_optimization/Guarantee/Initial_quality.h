@@ -81,8 +81,8 @@ Initial_quality measure_initial_quality(const Reference& reference,
     return result;
   };
   std::vector<float> means(remesh.number_of_faces()), maxima(means.size());
-  const Error_integral integral = measure_means<ConcurrencyTag>(reference, remesh, remesh.points, Fineness_of_mean::COARSE,
-                                                                sides, means, maxima);
+  const Error_integral integral =
+    measure_means<ConcurrencyTag>(reference, remesh, remesh.points, Fineness_of_mean::COARSE, sides, means, maxima);
   Initial_quality quality{ integral.error(), std::move(means), std::move(measure.orientations) };
   quality.error.max = largest_distance(
     reference, remesh, remesh.points,

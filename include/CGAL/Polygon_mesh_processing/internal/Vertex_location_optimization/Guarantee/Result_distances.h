@@ -72,8 +72,8 @@ public:
                    Remesh_sample_offsets<Hint> samples)
     : m_reference(reference), m_remesh(remesh), m_initial(initial),
       m_sampling(remesh, remesh.initial_points, Fineness_of_mean::COARSE), m_vertices{ std::move(samples.vertices) },
-      m_midpoints{ std::move(samples.midpoints) }, m_points(remesh.points),
-      m_faces(remesh.number_of_faces()), m_initial_maxima(remesh.number_of_faces(), unknown)
+      m_midpoints{ std::move(samples.midpoints) }, m_points(remesh.points), m_faces(remesh.number_of_faces()),
+      m_initial_maxima(remesh.number_of_faces(), unknown)
   {}
 
   // Measures the next points.
@@ -106,9 +106,11 @@ public:
       m_remesh, [&](std::size_t i) { measure_vertex(vertices, i, m_points, initial_points); },
       [&](std::size_t e) { measure_midpoint(midpoints, e, m_points, initial_points); }, [](std::size_t) {});
     std::vector<float> maxima(m_faces.size());
-    const Approximation_error error = measure_means<ConcurrencyTag>(
-      m_reference, m_remesh, initial_points, fineness, [&](std::size_t f) { return sides(f, vertices, midpoints); },
-      m_initial.means, maxima).error();
+    const Approximation_error error =
+      measure_means<ConcurrencyTag>(
+        m_reference, m_remesh, initial_points, fineness, [&](std::size_t f) { return sides(f, vertices, midpoints); },
+        m_initial.means, maxima)
+        .error();
     m_initial.error.mean = error.mean;
     m_initial.error.rms = error.rms;
     measure<ConcurrencyTag>();
@@ -132,12 +134,10 @@ public:
       std::sort(indices->begin(), indices->end());
       indices->erase(std::unique(indices->begin(), indices->end()), indices->end());
     }
-    for_each_index<ConcurrencyTag>(vertices.size(), [&](std::size_t k) {
-      measure_vertex(m_vertices, vertices[k], m_points, m_remesh.next_points);
-    });
-    for_each_index<ConcurrencyTag>(edges.size(), [&](std::size_t k) {
-      measure_midpoint(m_midpoints, edges[k], m_points, m_remesh.next_points);
-    });
+    for_each_index<ConcurrencyTag>(
+      vertices.size(), [&](std::size_t k) { measure_vertex(m_vertices, vertices[k], m_points, m_remesh.next_points); });
+    for_each_index<ConcurrencyTag>(
+      edges.size(), [&](std::size_t k) { measure_midpoint(m_midpoints, edges[k], m_points, m_remesh.next_points); });
     for_each_index<ConcurrencyTag>(faces.size(), [&](std::size_t k) {
       if(has_moved(faces[k]))
         measure_face(faces[k]);

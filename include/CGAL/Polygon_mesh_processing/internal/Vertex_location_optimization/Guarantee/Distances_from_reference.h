@@ -15,7 +15,7 @@
 
 #include <CGAL/license/Vertex_location_optimization.h>
 
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/climb_in_patch.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/climb_to_far_point.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Measure/Error_integral.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Remesh.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Sampling/Area_samples.h>
@@ -146,9 +146,9 @@ public:
     const Tree initial_tree = make_face_tree(m_remesh, m_remesh.initial_points); // one tree at a time
     for(const Far_point& q : far_points)
     {
-      const Closest initial = closest_in(initial_tree, q.point, q.closest.face);
-      if(q.closest.distance > initial.distance)
-        result.push_back({ initial.face, q.closest.face });
+      const Far_point initial = find_closest_face(initial_tree, q.point, q.face);
+      if(q.distance > initial.distance)
+        result.push_back({ initial.face, q.face });
     }
     return result;
   }
@@ -160,19 +160,6 @@ private:
     float weight;             // the area that it stands for, in any unit; 0 in the corners of the reference
     Index initial_face, face; // where the closest points are
     float initial_distance, distance;
-  };
-
-  struct Closest
-  {
-    Index face;
-    double distance;
-  };
-
-  // a point that is too far away now, with the face that is closest
-  struct Far_point
-  {
-    Point point;
-    Closest closest;
   };
 
   // The farthest points of a flat reference most often are corners of it. Where it is much finer than the remesh they are too
@@ -226,47 +213,22 @@ private:
     for(Index i : farthest)
     {
       const Sample& s = m_samples[i];
-      const double distance = closest_in(tree, s.point, s.face).distance;
-      largest =
-        (std::max)({ largest, distance, distance >= close * largest ? climb(s, tree, largest).closest.distance : 0 });
+      const double distance = find_closest_face(tree, s.point, s.face).distance;
+      largest = (std::max)({ largest, distance, distance >= close * largest ? climb(s, tree, largest).distance : 0 });
     }
     return largest;
   }
 
-  // Where climbing from a sample leads, from corner to corner of a reference that is fine, and then between the corners; or
-  // the sample itself if it leads nowhere above `limit`.
   Far_point climb(const Sample& s, const Tree& tree, const double limit) const
   {
-    Far_point top{ s.point, closest_in(tree, s.point, s.face) };
-    if constexpr(Reference::walks)
-    {
-      const auto height = [&](const Patch_foot& foot) { return closest_in(tree, m_reference.point(foot), s.face).distance; };
-      Patch_foot foot = m_reference.project(s.point);
-      if(!m_has_corners)
-        foot = m_reference.climb(foot, height);
-      constexpr double large = 0.5; // relative to the distance; between the corners of smaller patches nothing is far higher
-      const double length = length_of_patch(m_reference, foot);
-      if(length > large * limit && height(foot) + length > limit) // no distance is steeper than one
-        foot = climb_in_patch(foot, height);
-      const Point p = m_reference.point(foot);
-      const Closest closest = closest_in(tree, p, s.face);
-      if(closest.distance > top.closest.distance)
-        top = { p, closest };
-    }
-    return top;
+    return climb_to_far_point(m_reference, s.point, tree, s.face, !m_has_corners, limit);
   }
 
   void add_far_point(const Sample& s, const Tree& tree, std::vector<Far_point>& far_points) const
   {
     const Far_point top = climb(s, tree, m_initial_maximum);
-    if(top.closest.distance > m_initial_maximum)
+    if(top.distance > m_initial_maximum)
       far_points.push_back(top);
-  }
-
-  static Closest closest_in(const Tree& tree, const Point& query, Index hint)
-  {
-    const Patch_foot foot = tree.project(query, hint);
-    return { foot.patch, norm(query - tree.point(foot)) };
   }
 
   std::vector<Index> all_samples() const
@@ -306,7 +268,7 @@ private:
     const Tree tree = make_face_tree(m_remesh, m_remesh.next_points);
     for_each_index<ConcurrencyTag>(indices.size(), [&](std::size_t k) {
       Sample& s = m_samples[indices[k]];
-      const Closest closest = closest_in(tree, s.point, s.face);
+      const Far_point closest = find_closest_face(tree, s.point, s.face);
       if(closest.face < m_remesh.number_of_faces()) // not one of the surroundings
         s.face = closest.face;
       s.distance = static_cast<float>(closest.distance);

@@ -63,6 +63,23 @@ struct Face_sides
   std::array<Vector, 3> offsets, midpoint_offsets; // to the closest points
 };
 
+// those of face f; samples have hint(i) and offset(i)
+template <typename Foot, typename Samples>
+Face_sides<Foot>
+sides_of_face(const Mesh_arrays& mesh, const std::size_t f, const Samples& vertices, const Samples& midpoints)
+{
+  Face_sides<Foot> result;
+  for(int k = 0; k < 3; ++k)
+  {
+    const Index i = mesh.face(f)[k], e = mesh.face_edges[f][k];
+    result.feet[k] = vertices.hint(i);
+    result.offsets[k] = vertices.offset(i);
+    result.midpoint_feet[k] = midpoints.hint(e);
+    result.midpoint_offsets[k] = midpoints.offset(e);
+  }
+  return result;
+}
+
 // The points of the faces at which the distance is sampled to integrate it: the more of them the larger a face is, and at
 // least one. They tell by how much the distance differs from the quadratic function that the closest points to the corners
 // and the midpoints of the sides give: then a mean over many faces is right however the distance bends in them or changes

@@ -69,16 +69,7 @@ Initial_quality measure_initial_quality(const Reference& reference,
                                         Initial_measure measure)
 {
   const auto sides = [&](std::size_t f) {
-    Face_sides<typename Reference::Foot> result;
-    for(int k = 0; k < 3; ++k)
-    {
-      const Index i = remesh.face(f)[k], e = remesh.face_edges[f][k];
-      result.feet[k] = samples.vertices.hint(i);
-      result.offsets[k] = samples.vertices.offset(i);
-      result.midpoint_feet[k] = samples.midpoints.hint(e);
-      result.midpoint_offsets[k] = samples.midpoints.offset(e);
-    }
-    return result;
+    return sides_of_face<typename Reference::Foot>(remesh, f, samples.vertices, samples.midpoints);
   };
   std::vector<float> means(remesh.number_of_faces()), maxima(means.size());
   const Error_integral integral =

@@ -19,6 +19,7 @@
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Face_sampling.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Farthest_point.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Initial_quality.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Moves.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Measure/Face_orientation.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Remesh.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Sampling/Remesh_samples.h>
@@ -47,6 +48,9 @@ class Result_distances
   // The closest points to some queries.
   struct Samples : Sample_offsets<Hint>
   {
+    const Hint& hint(std::size_t k) const { return this->hints[k]; }
+    const Vector& offset(std::size_t k) const { return this->offsets[k]; }
+
     // for query k, which goes from `from` to `to`; the edges there have this length
     void measure(std::size_t k, const Reference& reference, const Point& from, const Point& to, double length)
     {
@@ -108,8 +112,8 @@ public:
     std::vector<float> maxima(m_faces.size());
     const Approximation_error error =
       measure_means<ConcurrencyTag>(
-        m_reference, m_remesh, initial_points, fineness, [&](std::size_t f) { return sides(f, vertices, midpoints); },
-        m_initial.means, maxima)
+        m_reference, m_remesh, initial_points, fineness,
+        [&](std::size_t f) { return sides_of_face<Foot>(m_remesh, f, vertices, midpoints); }, m_initial.means, maxima)
         .error();
     m_initial.error.mean = error.mean;
     m_initial.error.rms = error.rms;
@@ -123,17 +127,7 @@ public:
     const std::vector<Index> vertices =
       find_indices<ConcurrencyTag>(m_points.size(), [&](std::size_t i) { return m_points[i] != m_remesh.next_points[i]; });
     std::vector<Index> edges, faces;
-    for(Index i : vertices)
-      m_remesh.for_each_corner(i, [&](Index c) {
-        faces.push_back(c / 3);
-        edges.push_back(m_remesh.opposite_edge(Mesh_arrays::next(c)));
-        edges.push_back(m_remesh.opposite_edge(Mesh_arrays::previous(c)));
-      });
-    for(std::vector<Index>* indices : { &edges, &faces })
-    {
-      std::sort(indices->begin(), indices->end());
-      indices->erase(std::unique(indices->begin(), indices->end()), indices->end());
-    }
+    find_edges_and_faces(m_remesh, vertices, edges, faces);
     for_each_index<ConcurrencyTag>(
       vertices.size(), [&](std::size_t k) { measure_vertex(m_vertices, vertices[k], m_points, m_remesh.next_points); });
     for_each_index<ConcurrencyTag>(
@@ -249,21 +243,7 @@ private:
     return sampled > small * limit || distance_to_planes_of_quarters(m_reference, t, of_face) > small_if_smooth * limit;
   }
 
-  Face_sides<Foot> sides(std::size_t f) const { return sides(f, m_vertices, m_midpoints); }
-
-  Face_sides<Foot> sides(std::size_t f, const Samples& vertices, const Samples& midpoints) const
-  {
-    Face_sides<Foot> result;
-    for(int k = 0; k < 3; ++k)
-    {
-      const Index i = m_remesh.face(f)[k], e = m_remesh.face_edges[f][k];
-      result.feet[k] = vertices.hints[i];
-      result.offsets[k] = vertices.offsets[i];
-      result.midpoint_feet[k] = midpoints.hints[e];
-      result.midpoint_offsets[k] = midpoints.offsets[e];
-    }
-    return result;
-  }
+  Face_sides<Foot> sides(std::size_t f) const { return sides_of_face<Foot>(m_remesh, f, m_vertices, m_midpoints); }
 
   bool has_moved(std::size_t f) const
   {

@@ -10,11 +10,12 @@
 //
 // Author(s)     : The Vertex_location_optimization authors
 
-#ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_CLIMB_IN_PATCH_H
-#define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_CLIMB_IN_PATCH_H
+#ifndef CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_CLIMB_TO_FAR_POINT_H
+#define CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_CLIMB_TO_FAR_POINT_H
 
 #include <CGAL/license/Vertex_location_optimization.h>
 
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/Flat_triangle.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/Patch_tree.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/geometry.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/triangle_coordinates.h>
@@ -24,6 +25,21 @@
 #include <cmath>
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
+
+// A point of the reference, and the face of a mesh that is closest to it.
+struct Far_point
+{
+  Point point;
+  Index face;
+  double distance;
+};
+
+// given the faces in `tree`, of which `hint` is one nearby
+inline Far_point find_closest_face(const Patch_tree<Flat_triangle>& tree, const Point& p, const Index hint)
+{
+  const Patch_foot foot = tree.project(p, hint);
+  return { p, foot.patch, norm(p - tree.point(foot)) };
+}
 
 // the longest distance between corners of the patch that a foot is in
 template <typename Reference>
@@ -78,6 +94,36 @@ Patch_foot climb_in_patch(Patch_foot foot, const Value& value)
   return foot;
 }
 
+// Where climbing over the reference from one of its points leads, away from the faces in `tree`: from corner to corner if it
+// is so fine that this `crosses_patches`, and then between the corners; or that point itself if it leads nowhere above `limit`.
+template <typename Reference>
+Far_point climb_to_far_point(const Reference& reference,
+                             const Point& p,
+                             const Patch_tree<Flat_triangle>& tree,
+                             const Index hint,
+                             const bool crosses_patches,
+                             const double limit)
+{
+  Far_point top = find_closest_face(tree, p, hint);
+  if constexpr(Reference::walks)
+  {
+    const auto height = [&](const Patch_foot& foot) {
+      return find_closest_face(tree, reference.point(foot), hint).distance;
+    };
+    Patch_foot foot = reference.project(p);
+    if(crosses_patches)
+      foot = reference.climb(foot, height);
+    constexpr double large = 0.5; // relative to the distance; between the corners of smaller patches nothing is far higher
+    const double length = length_of_patch(reference, foot);
+    if(length > large * limit && height(foot) + length > limit) // no distance is steeper than one
+      foot = climb_in_patch(foot, height);
+    const Far_point highest = find_closest_face(tree, reference.point(foot), hint);
+    if(highest.distance > top.distance)
+      top = highest;
+  }
+  return top;
+}
+
 } // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
 
-#endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_CLIMB_IN_PATCH_H
+#endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_CLIMB_TO_FAR_POINT_H

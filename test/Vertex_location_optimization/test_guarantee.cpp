@@ -175,7 +175,8 @@ void test_peaks_beside_creases()
     Mesh mesh = coarse;
     const auto report = PMP::optimize_vertex_locations(mesh, Flat_surface(fandisk), params::placement_method(method));
     const double before = largest_distance(coarse, to_fandisk), after = largest_distance(mesh, to_fandisk);
-    CHECK_AT_MOST(after, 1.01 * before);
+    CHECK_NEAR(report.initial_error.max, before, 0.04 * before); // it is searched for between these samples
+    CHECK_AT_MOST(after, report.initial_error.max);
     CHECK_AT_LEAST(report.final_error.max, 0.99 * after);
   }
 }

@@ -43,7 +43,7 @@ struct Face_distances
 // mean has fallen unless it has hardly changed.
 enum class Fineness_of_mean
 {
-  COARSE = 8192,
+  COARSE = 16384,
   FINE = 32768
 };
 

@@ -54,7 +54,7 @@ public:
   template <typename ConcurrencyTag>
   bool is_certain() const
   {
-    constexpr double standard_error = 0.01; // of the mean, at most: the error is less, as neighbors differ little
+    constexpr double standard_error = 0.005; // of the mean, at most: the error is less, as neighbors differ little
     const auto total = sum_over_faces<ConcurrencyTag, Change>([&](std::size_t f) {
       return Change{ m_distances.integral(f), m_distances.variance(f) };
     });

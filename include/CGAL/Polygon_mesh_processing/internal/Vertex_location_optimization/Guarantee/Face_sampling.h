@@ -39,14 +39,6 @@ struct Face_distances
   double max = 0;
 };
 
-// How many samples the mean is made of. That of a few is within half a percent of that of very many, and tells whether the
-// mean has fallen unless it has hardly changed.
-enum class Fineness_of_mean
-{
-  COARSE = 16384,
-  FINE = 32768
-};
-
 // What is known of the closest points to the corners of a face and to the midpoints of the sides opposite to them.
 template <typename Foot>
 struct Face_sides
@@ -87,16 +79,16 @@ sides_of_face(const Mesh_arrays& mesh, const std::size_t f, const Samples& verti
 class Face_sampling
 {
 public:
-  Face_sampling(const Mesh_arrays& mesh, const std::vector<Point>& points, const Fineness_of_mean fineness)
-    : m_counts(mesh.number_of_faces())
+  Face_sampling(const Mesh_arrays& mesh, const std::vector<Point>& points) : m_counts(mesh.number_of_faces())
   {
-    constexpr double max_count = 576; // for meshes of a few faces, where so many samples would be slow
+    constexpr double number_of_samples = 32768; // found by trial: the mean is within half a percent of that of very many
+    constexpr double max_count = 576;           // for meshes of a few faces, where so many samples would be slow
     double area = 0;
     for(std::size_t f = 0; f < m_counts.size(); ++f)
       area += mesh.area(f, points);
     for(std::size_t f = 0; f < m_counts.size(); ++f)
     {
-      const double count = std::ceil(static_cast<int>(fineness) * (mesh.area(f, points) / area));
+      const double count = std::ceil(number_of_samples * (mesh.area(f, points) / area));
       m_counts[f] = static_cast<std::uint16_t>(count >= 1 ? (std::min)(count, max_count) : 1);
     }
   }

@@ -63,7 +63,7 @@ class Guarantee
 public:
   // `samples` are those of the points of the remesh
   Guarantee(const Reference& reference,
-            Initial_quality& initial, // its means may be measured again
+            const Initial_quality& initial,
             const Smallest_angles& smallest_angles,
             Remesh_sample_offsets<typename Reference::Hint> samples,
             const bool guarantees_both_directions,
@@ -85,8 +85,6 @@ public:
   {
     keep_shapes();
     m_distances.template measure<ConcurrencyTag>();
-    if(!m_mean.template is_certain<ConcurrencyTag>())
-      m_distances.template refine<ConcurrencyTag>();
     m_distances_from_reference.template measure<ConcurrencyTag>();
     Stage mean{ Correction::ERROR, 2 }, faces{ Correction::ERROR, 8 }, maximum_back{ Correction::ERROR, 5 },
       mean_back{ Correction::ERROR, 2 }, intersections{ Correction::INTERSECTION, 3 };

@@ -39,28 +39,6 @@ struct Initial_quality
   std::vector<Face_orientation> orientations;
 };
 
-// Measures the mean distances of the faces with the vertices at `points`, given `sides(f)`, and those of all faces together.
-template <typename ConcurrencyTag, typename Reference, typename SidesOf>
-Error_integral measure_means(const Reference& reference,
-                             const Remesh& remesh,
-                             const std::vector<Point>& points,
-                             const Fineness_of_mean fineness,
-                             const SidesOf& sides,
-                             std::vector<float>& means,
-                             std::vector<float>& maxima)
-{
-  constexpr bool is_exact = true; // where walking leads astray the distance is too large, and the result could be, too
-  const Face_sampling sampling(remesh, points, fineness);
-  return sum_over_indices<ConcurrencyTag, Error_integral>(remesh.number_of_faces(), [&](std::size_t f) {
-    const auto of_face = sides(f);
-    const Face_distances d = sampling.measure(reference, f, remesh.triangle(f, points), of_face, is_exact);
-    maxima[f] = static_cast<float>((std::max)(d.max, of_face.largest_distance()));
-    means[f] = static_cast<float>(d.mean);
-    const double area = remesh.area(f, points);
-    return Error_integral{ area, area * d.mean, area * d.mean_square, maxima[f] };
-  });
-}
-
 // Measures M_0 in the first iteration, when it has been sampled.
 template <typename ConcurrencyTag, typename Reference>
 Initial_quality measure_initial_quality(const Reference& reference,
@@ -68,12 +46,17 @@ Initial_quality measure_initial_quality(const Reference& reference,
                                         const Remesh_samples<Reference>& samples,
                                         Initial_measure measure)
 {
-  const auto sides = [&](std::size_t f) {
-    return sides_of_face<typename Reference::Foot>(remesh, f, samples.vertices, samples.midpoints);
-  };
+  constexpr bool is_exact = true; // where walking leads astray the distance is too large, and the result could be, too
+  const Face_sampling sampling(remesh, remesh.points);
   std::vector<float> means(remesh.number_of_faces()), maxima(means.size());
-  const Error_integral integral =
-    measure_means<ConcurrencyTag>(reference, remesh, remesh.points, Fineness_of_mean::COARSE, sides, means, maxima);
+  const auto integral = sum_over_indices<ConcurrencyTag, Error_integral>(remesh.number_of_faces(), [&](std::size_t f) {
+    const auto sides = sides_of_face<typename Reference::Foot>(remesh, f, samples.vertices, samples.midpoints);
+    const Face_distances d = sampling.measure(reference, f, remesh.triangle(f), sides, is_exact);
+    maxima[f] = static_cast<float>((std::max)(d.max, sides.largest_distance()));
+    means[f] = static_cast<float>(d.mean);
+    const double area = remesh.area(f);
+    return Error_integral{ area, area * d.mean, area * d.mean_square, maxima[f] };
+  });
   Initial_quality quality{ integral.error(), std::move(means), std::move(measure.orientations) };
   quality.error.max = largest_distance(
     reference, remesh, remesh.points,

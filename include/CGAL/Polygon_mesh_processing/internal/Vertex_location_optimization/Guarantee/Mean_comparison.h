@@ -47,18 +47,13 @@ public:
   template <typename ConcurrencyTag>
   bool is_lower() const
   {
-    return is_lower_by<ConcurrencyTag>(2);
-  }
-
-  // Whether more samples would hardly tell anything else: the mean is clearly lower, and known well enough for the report.
-  template <typename ConcurrencyTag>
-  bool is_certain() const
-  {
-    constexpr double standard_error = 0.005; // of the mean, at most: the error is less, as neighbors differ little
+    constexpr double deviations = 2; // of the sum
     const auto total = sum_over_faces<ConcurrencyTag, Change>([&](std::size_t f) {
-      return Change{ m_distances.integral(f), m_distances.variance(f) };
+      return Change{ change(f), m_moves.has_moved(f) ? m_distances.variance(f) : 0 };
     });
-    return total.variance <= square(standard_error * total.sum) && is_lower_by<ConcurrencyTag>(4);
+    const double area =
+      sum_over_faces<ConcurrencyTag, double>([&](std::size_t f) { return m_remesh.area(f, m_remesh.initial_points); });
+    return total.sum + deviations * std::sqrt(total.variance) <= negligible_distance() * area;
   }
 
   // The integrals of the distance over the faces: at first, and by how much they have grown.
@@ -93,18 +88,6 @@ private:
       return *this;
     }
   };
-
-  // by some standard deviations of the change
-  template <typename ConcurrencyTag>
-  bool is_lower_by(const double deviations) const
-  {
-    const auto total = sum_over_faces<ConcurrencyTag, Change>([&](std::size_t f) {
-      return Change{ change(f), m_moves.has_moved(f) ? m_distances.variance(f) : 0 };
-    });
-    const double area =
-      sum_over_faces<ConcurrencyTag, double>([&](std::size_t f) { return m_remesh.area(f, m_remesh.initial_points); });
-    return total.sum + deviations * std::sqrt(total.variance) <= negligible_distance() * area;
-  }
 
   template <typename ConcurrencyTag, typename T, typename F>
   T sum_over_faces(const F& f) const

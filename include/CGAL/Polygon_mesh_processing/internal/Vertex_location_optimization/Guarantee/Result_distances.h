@@ -72,12 +72,12 @@ public:
   // `samples` are those of the points of the remesh, with which it goes on
   Result_distances(const Reference& reference,
                    const Remesh& remesh,
-                   Initial_quality& initial,
+                   const Initial_quality& initial,
                    Remesh_sample_offsets<Hint> samples)
     : m_reference(reference), m_remesh(remesh), m_initial(initial),
-      m_sampling(remesh, remesh.initial_points, Fineness_of_mean::COARSE), m_vertices{ std::move(samples.vertices) },
-      m_midpoints{ std::move(samples.midpoints) }, m_points(remesh.points), m_faces(remesh.number_of_faces()),
-      m_initial_maxima(remesh.number_of_faces(), unknown)
+      m_sampling(remesh, remesh.initial_points), m_vertices{ std::move(samples.vertices) }, m_midpoints{ std::move(
+                                                                                              samples.midpoints) },
+      m_points(remesh.points), m_faces(remesh.number_of_faces()), m_initial_maxima(remesh.number_of_faces(), unknown)
   {}
 
   // Measures the next points.
@@ -85,8 +85,7 @@ public:
   void measure()
   {
     for_each_element<ConcurrencyTag>(
-      m_remesh, [&](std::size_t i) { measure_vertex(m_vertices, i, m_points, m_remesh.next_points); },
-      [&](std::size_t e) { measure_midpoint(m_midpoints, e, m_points, m_remesh.next_points); },
+      m_remesh, [&](std::size_t i) { measure_vertex(i); }, [&](std::size_t e) { measure_midpoint(e); },
       [&](std::size_t f) {
         constexpr std::size_t ahead = 8;
         if(f + ahead < m_remesh.number_of_faces())
@@ -98,28 +97,6 @@ public:
     m_points = m_remesh.next_points;
   }
 
-  // Measures the means again, the initial ones, too, at more samples.
-  template <typename ConcurrencyTag>
-  void refine()
-  {
-    constexpr Fineness_of_mean fineness = Fineness_of_mean::FINE;
-    m_sampling = Face_sampling(m_remesh, m_remesh.initial_points, fineness);
-    Samples vertices = m_vertices, midpoints = m_midpoints;
-    const std::vector<Point>& initial_points = m_remesh.initial_points;
-    for_each_element<ConcurrencyTag>(
-      m_remesh, [&](std::size_t i) { measure_vertex(vertices, i, m_points, initial_points); },
-      [&](std::size_t e) { measure_midpoint(midpoints, e, m_points, initial_points); }, [](std::size_t) {});
-    std::vector<float> maxima(m_faces.size());
-    const Approximation_error error =
-      measure_means<ConcurrencyTag>(
-        m_reference, m_remesh, initial_points, fineness,
-        [&](std::size_t f) { return sides_of_face<Foot>(m_remesh, f, vertices, midpoints); }, m_initial.means, maxima)
-        .error();
-    m_initial.error.mean = error.mean;
-    m_initial.error.rms = error.rms;
-    measure<ConcurrencyTag>();
-  }
-
   // Measures again what has changed since; returns the faces, in increasing order.
   template <typename ConcurrencyTag>
   std::vector<Index> update()
@@ -128,10 +105,8 @@ public:
       find_indices<ConcurrencyTag>(m_points.size(), [&](std::size_t i) { return m_points[i] != m_remesh.next_points[i]; });
     std::vector<Index> edges, faces;
     find_edges_and_faces(m_remesh, vertices, edges, faces);
-    for_each_index<ConcurrencyTag>(
-      vertices.size(), [&](std::size_t k) { measure_vertex(m_vertices, vertices[k], m_points, m_remesh.next_points); });
-    for_each_index<ConcurrencyTag>(
-      edges.size(), [&](std::size_t k) { measure_midpoint(m_midpoints, edges[k], m_points, m_remesh.next_points); });
+    for_each_index<ConcurrencyTag>(vertices.size(), [&](std::size_t k) { measure_vertex(vertices[k]); });
+    for_each_index<ConcurrencyTag>(edges.size(), [&](std::size_t k) { measure_midpoint(edges[k]); });
     for_each_index<ConcurrencyTag>(faces.size(), [&](std::size_t k) {
       if(has_moved(faces[k]))
         measure_face(faces[k]);
@@ -251,17 +226,15 @@ private:
     return std::any_of(v.begin(), v.end(), [&](Index i) { return m_remesh.next_points[i] != m_remesh.initial_points[i]; });
   }
 
-  using Points = std::vector<Point>;
-
-  void measure_vertex(Samples& vertices, std::size_t i, const Points& from, const Points& to) const
+  void measure_vertex(std::size_t i)
   {
-    vertices.measure(i, m_reference, from[i], to[i], m_remesh.lengths[i]);
+    m_vertices.measure(i, m_reference, m_points[i], m_remesh.next_points[i], m_remesh.lengths[i]);
   }
 
-  void measure_midpoint(Samples& midpoints, std::size_t e, const Points& from, const Points& to) const
+  void measure_midpoint(std::size_t e)
   {
-    const double length = m_remesh.length_at(m_remesh.edges[e]);
-    midpoints.measure(e, m_reference, m_remesh.midpoint(e, from), m_remesh.midpoint(e, to), length);
+    m_midpoints.measure(e, m_reference, m_remesh.midpoint(e, m_points), m_remesh.midpoint(e, m_remesh.next_points),
+                        m_remesh.length_at(m_remesh.edges[e]));
   }
 
   // The orientation is that at the closest point: on a thin part that of another sheet has the opposite normal.
@@ -286,8 +259,8 @@ private:
 
   const Reference& m_reference;
   const Remesh& m_remesh;
-  Initial_quality& m_initial;
-  Face_sampling m_sampling;
+  const Initial_quality& m_initial;
+  const Face_sampling m_sampling;
   Samples m_vertices, m_midpoints;
   std::vector<Point> m_points; // of the vertices, for which the samples were taken
   std::vector<Face> m_faces;

@@ -18,12 +18,15 @@
 #include <CGAL/Polygon_mesh_processing/optimize_vertex_locations.h>
 #include <CGAL/Polygon_mesh_processing/PN_triangle_surface.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Bounded_normal_change_filter.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/GarlandHeckbert_plane_policies.h>
 #if CGAL_VERSION_NR >= 1060000000
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Edge_count_stop_predicate.h>
 #else
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_stop_predicate.h>
 #endif
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <stdexcept>
@@ -36,13 +39,26 @@ namespace params = CGAL::parameters;
 using Vertex = Mesh::Vertex_index;
 using Flat_surface = PMP::Flat_triangle_surface<Mesh>;
 
+#if CGAL_VERSION_NR >= 1060000000
+using Stop_predicate = SMS::Edge_count_stop_predicate<Mesh>;
+#else
+using Stop_predicate = SMS::Count_stop_predicate<Mesh>;
+#endif
+
 Mesh simplified(Mesh mesh, std::size_t number_of_edges)
 {
-#if CGAL_VERSION_NR >= 1060000000
-  SMS::edge_collapse(mesh, SMS::Edge_count_stop_predicate<Mesh>(number_of_edges));
-#else
-  SMS::edge_collapse(mesh, SMS::Count_stop_predicate<Mesh>(number_of_edges));
-#endif
+  SMS::edge_collapse(mesh, Stop_predicate(number_of_edges));
+  mesh.collect_garbage();
+  return mesh;
+}
+
+Mesh simplified_by_quadrics(Mesh mesh, std::size_t number_of_edges)
+{
+  const SMS::GarlandHeckbert_plane_policies<Mesh, Kernel> policies(mesh);
+  SMS::edge_collapse(mesh, Stop_predicate(number_of_edges),
+                     params::get_cost(policies.get_cost())
+                       .get_placement(policies.get_placement())
+                       .filter(SMS::Bounded_normal_change_filter<>()));
   mesh.collect_garbage();
   return mesh;
 }
@@ -59,7 +75,7 @@ void check_report(const Mesh& remesh, const Mesh& reference, int splits)
 {
   constexpr int splits_of_reference = 4;
   constexpr double of_mean = 0.005, of_maximum = 0.01;
-  constexpr double of_mean_back = 0.03, of_maximum_back = 0.08; // that way nothing is searched between the samples
+  constexpr double of_mean_back = 0.03, of_maximum_back = 0.03; // that way there are fewer samples
   const Distance_to_mesh to_reference(reference);
   const Errors before = measure(remesh, to_reference, splits),
                back_before = measure(reference, Distance_to_mesh(remesh), splits_of_reference);
@@ -125,6 +141,43 @@ void test_height_field()
     const Errors after = measure(mesh, to_field, 24);
     CHECK_AT_MOST(after.mean, before.mean);
     CHECK_AT_MOST(after.max, 1.01 * before.max);
+  }
+}
+
+// the largest distance near to the corners of the faces, and in the whole of them
+double largest_distance(const Mesh& mesh, const Distance_to_mesh& surface)
+{
+  constexpr int n = 8;
+  Point hint = *mesh.points().begin();
+  double largest = 0;
+  for(auto h : mesh.halfedges())
+  {
+    if(mesh.is_border(h))
+      continue;
+    const Point p = mesh.point(mesh.target(h)), q = mesh.point(mesh.source(h)), r = mesh.point(mesh.target(mesh.next(h)));
+    for(double size : { 1., 0.1, 0.01 })
+      for(int i = 0; i <= n; ++i)
+        for(int j = 0; i + j <= n; ++j)
+          largest = (std::max)(largest, surface(p + size / n * (i * (q - p) + j * (r - p)), hint));
+  }
+  return largest;
+}
+
+// A vertex that leaves a crease is next to a peak of the distance, which may be a hundredth of an edge away.
+void test_peaks_beside_creases()
+{
+  start_topic("Peaks beside creases");
+  const Mesh fandisk = read_model("fandisk");
+  const Mesh coarse = simplified_by_quadrics(fandisk, 3 * 1295);
+  const Distance_to_mesh to_fandisk(fandisk);
+  for(PMP::Placement_method method : { PMP::PIECEWISE_LINEAR, PMP::LEAST_SQUARES })
+  {
+    Mesh mesh = coarse;
+    const auto report = PMP::optimize_vertex_locations(mesh, Flat_surface(fandisk), params::placement_method(method));
+    const double before = largest_distance(coarse, to_fandisk), after = largest_distance(mesh, to_fandisk);
+    CHECK_NEAR(report.initial_error.max, before, 0.04 * before); // it is searched for between these samples
+    CHECK_AT_MOST(after, report.initial_error.max);
+    CHECK_AT_LEAST(report.final_error.max, 0.99 * after);
   }
 }
 
@@ -236,6 +289,7 @@ int main()
 {
   test_reports();
   test_height_field();
+  test_peaks_beside_creases();
   test_volume();
   test_exceptions();
   return test_result();

@@ -15,6 +15,7 @@
 
 #include <CGAL/license/Vertex_location_optimization.h>
 
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/climb_to_far_point.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Measure/Error_integral.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Remesh.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Sampling/Area_samples.h>
@@ -126,21 +127,18 @@ public:
     return { std::move(initial), std::move(changes) };
   }
 
-  // The samples, and corners of the reference to which climbing leads, whose distance exceeds the largest one with the
-  // initial points and what it was there.
+  // The samples, and points of the reference to which climbing from them leads, whose distance exceeds the largest one with
+  // the initial points and what it was there.
   std::vector<Distant_sample> find_distant() const
   {
-    const double least = (m_has_corners ? 1 : close) * m_initial_maximum;
     std::vector<Far_point> far_points;
-    std::vector<Index> candidates;
-    for(Index i = 0; i < m_samples.size(); ++i)
-      if(m_samples[i].distance > least)
-        candidates.push_back(i);
-    if(!candidates.empty())
+    const auto may_be_near_to_one = [&](const Sample& s) { return s.distance > close * m_initial_maximum; };
+    if(std::any_of(m_samples.begin(), m_samples.end(), may_be_near_to_one))
     {
       const Tree tree = make_face_tree(m_remesh, m_remesh.next_points);
-      for(Index i : candidates)
-        add_far_points(m_samples[i], tree, least, far_points);
+      for(const Sample& s : m_samples)
+        if(may_be_near_to_one(s))
+          add_far_point(s, tree, far_points);
     }
     std::vector<Distant_sample> result;
     if(far_points.empty())
@@ -148,9 +146,9 @@ public:
     const Tree initial_tree = make_face_tree(m_remesh, m_remesh.initial_points); // one tree at a time
     for(const Far_point& q : far_points)
     {
-      const Closest initial = closest_in(initial_tree, q.point, q.closest.face);
-      if(q.closest.distance > initial.distance)
-        result.push_back({ initial.face, q.closest.face });
+      const Far_point initial = find_closest_face(initial_tree, q.point, q.face);
+      if(q.distance > initial.distance)
+        result.push_back({ initial.face, q.face });
     }
     return result;
   }
@@ -164,21 +162,8 @@ private:
     float initial_distance, distance;
   };
 
-  struct Closest
-  {
-    Index face;
-    double distance;
-  };
-
-  // a point that is too far away now, with the face that is closest
-  struct Far_point
-  {
-    Point point;
-    Closest closest;
-  };
-
   // The farthest points of a flat reference most often are corners of it. Where it is much finer than the remesh they are too
-  // many, and climbing leads to them.
+  // many, and climbing leads to them; where it is coarse the middles of its sides are as far away.
   template <typename ConcurrencyTag, typename HintOfFace>
   void take_samples(const HintOfFace& hint)
   {
@@ -196,6 +181,9 @@ private:
     m_has_corners = m_reference.number_of_patches() <= most_patches_per_sample * n;
     if(m_has_corners)
       m_reference.for_each_corner([&](const auto& foot) { add(foot, 0); });
+    if constexpr(Reference::walks)
+      if(m_reference.number_of_patches() <= n)
+        for_each_middle_of_side(m_reference, [&](const Patch_foot& foot) { add(foot, 0); });
   }
 
   double mean_of(float Sample::*distance) const { return error<Sequential_tag>(distance, 0).mean; }
@@ -225,37 +213,22 @@ private:
     for(Index i : farthest)
     {
       const Sample& s = m_samples[i];
-      const double distance = closest_in(tree, s.point, s.face).distance;
-      largest = (std::max)(largest, distance);
-      if(!m_has_corners && distance >= close * largest)
-        largest = (std::max)(largest, closest_in(tree, top(s, tree), s.face).distance);
+      const double distance = find_closest_face(tree, s.point, s.face).distance;
+      largest = (std::max)({ largest, distance, distance >= close * largest ? climb(s, tree, largest).distance : 0 });
     }
     return largest;
   }
 
-  // the corner of the reference to which climbing leads from a sample
-  Point top(const Sample& s, const Tree& tree) const
+  Far_point climb(const Sample& s, const Tree& tree, const double limit) const
   {
-    const auto height = [&](const auto& foot) { return closest_in(tree, m_reference.point(foot), s.face).distance; };
-    return m_reference.point(m_reference.climb(m_reference.project(s.point), height));
+    return climb_to_far_point(m_reference, s.point, tree, s.face, !m_has_corners, limit);
   }
 
-  void add_far_points(const Sample& s, const Tree& tree, const double least, std::vector<Far_point>& far_points) const
+  void add_far_point(const Sample& s, const Tree& tree, std::vector<Far_point>& far_points) const
   {
-    const auto add = [&](const Point& q) {
-      const Closest closest = closest_in(tree, q, s.face);
-      if(closest.distance > m_initial_maximum)
-        far_points.push_back({ q, closest });
-      return closest.distance > least;
-    };
-    if(add(s.point) && !m_has_corners)
-      add(top(s, tree));
-  }
-
-  static Closest closest_in(const Tree& tree, const Point& query, Index hint)
-  {
-    const Patch_foot foot = tree.project(query, hint);
-    return { foot.patch, norm(query - tree.point(foot)) };
+    const Far_point top = climb(s, tree, m_initial_maximum);
+    if(top.distance > m_initial_maximum)
+      far_points.push_back(top);
   }
 
   std::vector<Index> all_samples() const
@@ -295,7 +268,7 @@ private:
     const Tree tree = make_face_tree(m_remesh, m_remesh.next_points);
     for_each_index<ConcurrencyTag>(indices.size(), [&](std::size_t k) {
       Sample& s = m_samples[indices[k]];
-      const Closest closest = closest_in(tree, s.point, s.face);
+      const Far_point closest = find_closest_face(tree, s.point, s.face);
       if(closest.face < m_remesh.number_of_faces()) // not one of the surroundings
         s.face = closest.face;
       s.distance = static_cast<float>(closest.distance);
@@ -303,7 +276,7 @@ private:
   }
 
   // relative to the maximum; from samples of less, climbing is not thought to lead above it
-  static constexpr double close = 0.7;
+  static constexpr double close = 0.6;
 
   const Reference& m_reference;
   const Remesh& m_remesh;

@@ -15,6 +15,7 @@
 
 #include <CGAL/license/Vertex_location_optimization.h>
 
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Face_sampling.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/walk_or_search.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/Reference_access.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Remesh.h>
@@ -34,15 +35,74 @@
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
+// The plane that touches the reference at a point.
+template <typename Reference>
+class Tangent_plane
+{
+public:
+  Tangent_plane(const Reference& reference, const typename Reference::Foot& foot)
+    : m_point(reference.point(foot)), m_normal(reference.normal(foot))
+  {}
+
+  // infinite if there is no such plane
+  double distance(const Point& p) const
+  {
+    return m_normal == NULL_VECTOR ? std::numeric_limits<double>::infinity() : std::abs((p - m_point) * m_normal);
+  }
+
+private:
+  Point m_point;
+  Vector m_normal;
+};
+
+// The largest distance that a triangle has, given its corners, from the one of three planes that it is closest to: from a
+// reference that is this plane below the triangle nothing can be farther away.
+template <typename Plane>
+double distance_to_planes(const std::array<Point, 3>& corners, const std::array<Plane, 3>& planes)
+{
+  const auto from_plane = [&](const Plane& plane) {
+    return (std::max)({ plane.distance(corners[0]), plane.distance(corners[1]), plane.distance(corners[2]) });
+  };
+  return (std::min)({ from_plane(planes[0]), from_plane(planes[1]), from_plane(planes[2]) });
+}
+
+// The same for a triangle with feet in its corners and at the midpoints of the sides opposite to them, for each of the four
+// triangles between these: the largest distance.
+template <typename Reference>
+double distance_to_planes_of_quarters(const Reference& reference,
+                                      const std::array<Point, 3>& corners,
+                                      const Face_sides<typename Reference::Foot>& sides)
+{
+  using Plane = Tangent_plane<Reference>;
+  const auto planes_at = [&](const auto& f) {
+    return std::array<Plane, 3>{ { Plane(reference, f[0]), Plane(reference, f[1]), Plane(reference, f[2]) } };
+  };
+  const std::array<Point, 3> midpoints{ { midpoint(corners[1], corners[2]), midpoint(corners[2], corners[0]),
+                                          midpoint(corners[0], corners[1]) } };
+  const std::array<Plane, 3> planes = planes_at(sides.feet), midpoint_planes = planes_at(sides.midpoint_feet);
+  double largest = distance_to_planes(midpoints, midpoint_planes);
+  for(int k = 0; k < 3; ++k)
+  {
+    std::array<Point, 3> t = midpoints;
+    std::array<Plane, 3> p = midpoint_planes;
+    t[k] = corners[k];
+    p[k] = planes[k];
+    largest = (std::max)(largest, distance_to_planes(t, p));
+  }
+  return largest;
+}
+
 // Finds the point of a triangle that is farthest from the reference, by branch and bound: the triangle is cut into parts,
 // first where it may be farthest away, until none can have a distance above the largest one known. How much larger than in
 // its corners the distance can be inside a part follows from its slopes, as measured there and in the part that it was cut
-// from: the distance is smooth, or at least the slopes of its pieces are of the same size. Where the triangle is not much larger
-// than the distance itself, that is not assumed.
+// from, where the distance is smooth; and from the planes that touch the reference at the closest points, where it has an
+// edge between them. No distance is steeper than one, and where the triangle is not much larger than the distance itself,
+// that alone is relied on.
 template <typename Reference>
 class Farthest_point
 {
   using Foot = typename Reference::Foot;
+  using Plane = Tangent_plane<Reference>;
   using Triangle = std::array<Point, 3>;
 
 public:
@@ -82,16 +142,20 @@ public:
 
 private:
   static constexpr double large = 8;         // the size, relative to the largest distance, above which slopes are trusted
+  static constexpr int certain_level = 3;    // below it slopes are not trusted where that takes few cuts
   static constexpr double safety = 2;        // of the slopes; it trades time for what may be missed between the corners
+  static constexpr double margin = 1.5;      // of the distance to a plane, from which the reference bends away
   static constexpr double rounding = 1e-9;   // relative to the size of the triangle; below it the slopes are noise
   static constexpr double tolerance = 0.002; // of the result; it saves the last few parts
-  static constexpr int max_level = 6;        // a part of that level is 1/64 as long as the triangle
+  static constexpr int max_level = 10;       // a part of that level is 1/1024 as long as the triangle
   static constexpr int max_cuts = 256; // it bounds the time where the slopes say little, between overlapping sheets, say
 
   struct Sample
   {
     Coordinates coordinates; // in the triangle
+    Point point;
     Foot foot;
+    Plane plane; // that touches the reference there
     double distance;
   };
 
@@ -128,14 +192,18 @@ private:
   static double upper_bound(const Part& part, const double size)
   {
     const auto& c = part.corners;
-    return (std::max)({ c[0].distance, c[1].distance, c[2].distance }) + part.slope * std::ldexp(size, -part.level);
+    const double largest = (std::max)({ c[0].distance, c[1].distance, c[2].distance });
+    const double radius = std::ldexp(size, -part.level);
+    const double to_plane = distance_to_planes(std::array<Point, 3>{ { c[0].point, c[1].point, c[2].point } },
+                                               std::array<Plane, 3>{ { c[0].plane, c[1].plane, c[2].plane } });
+    return (std::min)(largest + radius, (std::max)(largest + part.slope * radius, margin * to_plane));
   }
 
   Sample sample(const Triangle& t, const Coordinates& x, const Foot& hint, const double near) const
   {
     const Point p = point_at(t, x);
     const Foot foot = walk_or_search(m_reference, p, hint, near);
-    return { x, foot, distance_to_foot(p, m_reference, foot) };
+    return { x, p, foot, Plane(m_reference, foot), distance_to_foot(p, m_reference, foot) };
   }
 
   // The four triangles between the corners of a part and the midpoints of its sides. Distances above `largest` are exact.
@@ -155,12 +223,12 @@ private:
     for(Part& child : children)
     {
       child.level = part.level + 1;
-      child.slope = safety * slope(t, child);
+      child.slope = safety * slope(child);
       steepest = (std::max)(steepest, child.slope);
     }
     // where the distance is smooth its slopes change by half as much over half the length
     double inherited = part.level == 0 ? steepest : part.slope / 2;
-    if(radius(t) < large * largest)
+    if(radius(t) < large * largest && part.level < certain_level)
       inherited = 1; // no distance is steeper; to be certain takes few cuts here
     for(Part& child : children)
       child.slope = std::clamp(child.slope, (std::min)(inherited, 1.), 1.);
@@ -168,13 +236,13 @@ private:
   }
 
   // the largest slope along the sides of a part
-  static double slope(const Triangle& t, const Part& part)
+  static double slope(const Part& part)
   {
     double result = 0;
     for(int k = 0; k < 3; ++k)
     {
       const Sample &a = part.corners[k], &b = part.corners[(k + 1) % 3];
-      const double length = std::sqrt(squared_distance(point_at(t, a.coordinates), point_at(t, b.coordinates)));
+      const double length = std::sqrt(squared_distance(a.point, b.point));
       if(length > 0)
         result = (std::max)(result, std::abs(a.distance - b.distance) / length);
     }

@@ -17,12 +17,12 @@
 
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Distances_from_reference.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Flip_criterion.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Fold_criterion.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Initial_quality.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Mean_comparison.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Moves.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/New_intersections.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Result_distances.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Shape_criterion.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/shorten_moves.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Volume_correction.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Remesh.h>
@@ -51,21 +51,6 @@ class Guarantee
 {
   using Indices = std::vector<Index>;
 
-  struct Reference_normals
-  {
-    auto operator()(std::size_t f) const { return distances.reference_normals(f); }
-
-    const Result_distances<Reference>& distances;
-  };
-
-  struct Shape_criterion
-  {
-    bool is_violated_by(std::size_t f) const { return flips.is_violated_by(f) || folds.is_violated_by(f); }
-
-    Flip_criterion flips;
-    Fold_criterion<Reference_normals> folds;
-  };
-
   struct Stage
   {
     Correction reason;
@@ -87,8 +72,7 @@ public:
             Remesh& remesh,
             Corrections& corrections)
     : m_initial(initial), m_distances(reference, remesh, initial, std::move(samples)),
-      m_distances_from_reference(reference, remesh), m_shapes{ { remesh, smallest_angles },
-                                                               { remesh, Reference_normals{ m_distances } } },
+      m_distances_from_reference(reference, remesh), m_shapes(remesh, smallest_angles, m_distances),
       m_allow_move(allow_move), m_new_intersections(remesh, find_self_intersections), m_remesh(remesh),
       m_corrections(corrections), m_moves(remesh, corrections), m_mean(remesh, initial, m_distances, m_moves),
       m_is_worse(remesh.number_of_faces(), false), m_is_judged(remesh.number_of_faces(), false)
@@ -287,7 +271,7 @@ private:
   const Initial_quality& m_initial;
   Result_distances<Reference> m_distances;
   Distances_from_reference<Reference> m_distances_from_reference;
-  Shape_criterion m_shapes;
+  Shape_criterion<Result_distances<Reference>> m_shapes;
   const AllowMove& m_allow_move;
   New_intersections<FindSelfIntersections> m_new_intersections;
   Remesh& m_remesh;

@@ -26,6 +26,25 @@
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
+// Finds the edges and the faces at some vertices, each once, in increasing order.
+inline void find_edges_and_faces(const Remesh& remesh,
+                                 const std::vector<Index>& vertices,
+                                 std::vector<Index>& edges,
+                                 std::vector<Index>& faces)
+{
+  for(Index i : vertices)
+    remesh.for_each_corner(i, [&](Index c) {
+      faces.push_back(c / 3);
+      edges.push_back(remesh.opposite_edge(Mesh_arrays::next(c)));
+      edges.push_back(remesh.opposite_edge(Mesh_arrays::previous(c)));
+    });
+  for(std::vector<Index>* indices : { &edges, &faces })
+  {
+    std::sort(indices->begin(), indices->end());
+    indices->erase(std::unique(indices->begin(), indices->end()), indices->end());
+  }
+}
+
 // The moves of the vertices from the initial to the next points, and how they are taken back, by halves.
 class Moves
 {

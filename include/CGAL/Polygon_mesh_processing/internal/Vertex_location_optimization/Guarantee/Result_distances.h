@@ -19,6 +19,7 @@
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Face_sampling.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Farthest_point.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Initial_quality.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Moves.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Measure/Face_orientation.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Remesh.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Sampling/Remesh_samples.h>
@@ -44,33 +45,27 @@ class Result_distances
 
   static constexpr float unknown = -1; // a distance that is not measured
 
-  // The distances at some queries, and where to search for their closest points.
-  struct Samples
+  // The closest points to some queries.
+  struct Samples : Sample_offsets<Hint>
   {
-    explicit Samples(Sample_offsets<Hint>& samples) : hints(std::move(samples.hints)), distances(samples.offsets.size())
-    {
-      std::transform(samples.offsets.begin(), samples.offsets.end(), distances.begin(), norm);
-      samples.offsets = {};
-    }
+    const Hint& hint(std::size_t k) const { return this->hints[k]; }
+    const Vector& offset(std::size_t k) const { return this->offsets[k]; }
 
     // for query k, which goes from `from` to `to`; the edges there have this length
-    void measure(std::size_t k, const Result_distances& of_remesh, const Point& from, const Point& to, double length)
+    void measure(std::size_t k, const Reference& reference, const Point& from, const Point& to, double length)
     {
-      const double near = near_by(distances[k] + norm(to - from) / 2, length);
-      const Foot foot = walk_or_search(of_remesh.m_reference, to, hints[k], near);
-      distances[k] = distance_to_foot(to, of_remesh.m_reference, foot);
-      hints[k] = foot;
+      const double near = near_by(norm(this->offsets[k]) + norm(to - from) / 2, length);
+      const Foot foot = walk_or_search(reference, to, this->hints[k], near);
+      this->offsets[k] = reference.point(foot) - to;
+      this->hints[k] = foot;
     }
-
-    std::vector<Hint> hints;
-    std::vector<double> distances;
   };
 
   // in single precision, as there are many
   struct Face
   {
-    float mean, mean_square, max;
-    Face_orientation orientation; // at the barycenter
+    float mean, mean_square, variance, max; // the variance is that of the mean
+    Face_orientation orientation;           // at the barycenter
   };
 
 public:
@@ -79,9 +74,10 @@ public:
                    const Remesh& remesh,
                    const Initial_quality& initial,
                    Remesh_sample_offsets<Hint> samples)
-    : m_reference(reference), m_remesh(remesh), m_initial(initial), m_sampling(remesh, remesh.initial_points),
-      m_vertices(samples.vertices), m_midpoints(samples.midpoints), m_points(remesh.points),
-      m_faces(remesh.number_of_faces()), m_initial_maxima(remesh.number_of_faces(), unknown)
+    : m_reference(reference), m_remesh(remesh), m_initial(initial),
+      m_sampling(remesh, remesh.initial_points), m_vertices{ std::move(samples.vertices) }, m_midpoints{ std::move(
+                                                                                              samples.midpoints) },
+      m_points(remesh.points), m_faces(remesh.number_of_faces()), m_initial_maxima(remesh.number_of_faces(), unknown)
   {}
 
   // Measures the next points.
@@ -108,17 +104,7 @@ public:
     const std::vector<Index> vertices =
       find_indices<ConcurrencyTag>(m_points.size(), [&](std::size_t i) { return m_points[i] != m_remesh.next_points[i]; });
     std::vector<Index> edges, faces;
-    for(Index i : vertices)
-      m_remesh.for_each_corner(i, [&](Index c) {
-        faces.push_back(c / 3);
-        edges.push_back(m_remesh.opposite_edge(Mesh_arrays::next(c)));
-        edges.push_back(m_remesh.opposite_edge(Mesh_arrays::previous(c)));
-      });
-    for(std::vector<Index>* indices : { &edges, &faces })
-    {
-      std::sort(indices->begin(), indices->end());
-      indices->erase(std::unique(indices->begin(), indices->end()), indices->end());
-    }
+    find_edges_and_faces(m_remesh, vertices, edges, faces);
     for_each_index<ConcurrencyTag>(vertices.size(), [&](std::size_t k) { measure_vertex(vertices[k]); });
     for_each_index<ConcurrencyTag>(edges.size(), [&](std::size_t k) { measure_midpoint(edges[k]); });
     for_each_index<ConcurrencyTag>(faces.size(), [&](std::size_t k) {
@@ -163,12 +149,8 @@ public:
   // the integral over face f
   double integral(std::size_t f) const { return m_remesh.area(f, m_remesh.next_points) * m_faces[f].mean; }
 
-  // of that integral, as the samples tell
-  double variance(std::size_t f) const
-  {
-    const double of_samples = (std::max)(0., m_faces[f].mean_square - square(double(m_faces[f].mean)));
-    return square(m_remesh.area(f, m_remesh.next_points)) * of_samples / m_sampling.number_of_samples(f);
-  }
+  // of that integral
+  double variance(std::size_t f) const { return square(m_remesh.area(f, m_remesh.next_points)) * m_faces[f].variance; }
 
   // at the barycenter of face f
   Face_orientation orientation(std::size_t f) const { return m_faces[f].orientation; }
@@ -182,7 +164,7 @@ public:
   }
 
   // the largest of the samples on face f
-  double sampled_maximum(std::size_t f) const { return (std::max)(double(m_faces[f].max), maximum_on_sides(f)); }
+  double sampled_maximum(std::size_t f) const { return (std::max)(double(m_faces[f].max), sides(f).largest_distance()); }
 
   double maximum() const
   {
@@ -222,27 +204,21 @@ private:
   // corner or a midpoint of a side.
   bool may_exceed(std::size_t f, double limit) const
   {
-    constexpr double small = 0.15; // relative to the limit; where no sample is larger none is thought to be missing
+    // relative to the limit; where no sample is larger, no point between them is thought to be
+    constexpr double small_if_smooth = 0.6, small_at_edges = 0.05;
     const double sampled = sampled_maximum(f);
-    if(sampled <= small * limit)
-      return false;
     const std::array<Point, 3> t = m_remesh.triangle(f, m_remesh.next_points);
     const double longest2 =
       (std::max)({ squared_distance(t[0], t[1]), squared_distance(t[1], t[2]), squared_distance(t[2], t[0]) });
     const double radius = std::sqrt(longest2 / 12); // no point is farther away from all corners and midpoints
-    return sampled + radius > limit;
+    if(sampled + radius <= limit)
+      return false;
+    const Face_sides<Foot> of_face = sides(f);
+    const double small = Face_sampling::is_smooth(m_reference, of_face) ? small_if_smooth : small_at_edges;
+    return sampled > small * limit || distance_to_planes_of_quarters(m_reference, t, of_face) > small_if_smooth * limit;
   }
 
-  Face_distances sample(std::size_t f, const std::vector<Point>& points) const
-  {
-    std::array<Foot, 3> feet, midpoint_feet;
-    for(int k = 0; k < 3; ++k)
-    {
-      feet[k] = m_vertices.hints[m_remesh.face(f)[k]];
-      midpoint_feet[k] = m_midpoints.hints[m_remesh.face_edges[f][k]];
-    }
-    return m_sampling.measure(m_reference, f, m_remesh.triangle(f, points), feet, midpoint_feet, maximum_on_sides(f));
-  }
+  Face_sides<Foot> sides(std::size_t f) const { return sides_of_face<Foot>(m_remesh, f, m_vertices, m_midpoints); }
 
   bool has_moved(std::size_t f) const
   {
@@ -250,34 +226,26 @@ private:
     return std::any_of(v.begin(), v.end(), [&](Index i) { return m_remesh.next_points[i] != m_remesh.initial_points[i]; });
   }
 
-  double maximum_on_sides(std::size_t f) const
-  {
-    double result = 0;
-    for(int k = 0; k < 3; ++k)
-      result =
-        (std::max)({ result, m_vertices.distances[m_remesh.face(f)[k]], m_midpoints.distances[m_remesh.face_edges[f][k]] });
-    return result;
-  }
-
   void measure_vertex(std::size_t i)
   {
-    m_vertices.measure(i, *this, m_points[i], m_remesh.next_points[i], m_remesh.lengths[i]);
+    m_vertices.measure(i, m_reference, m_points[i], m_remesh.next_points[i], m_remesh.lengths[i]);
   }
 
   void measure_midpoint(std::size_t e)
   {
-    m_midpoints.measure(e, *this, m_remesh.midpoint(e, m_points), m_remesh.midpoint(e, m_remesh.next_points),
+    m_midpoints.measure(e, m_reference, m_remesh.midpoint(e, m_points), m_remesh.midpoint(e, m_remesh.next_points),
                         m_remesh.length_at(m_remesh.edges[e]));
   }
 
   // The orientation is that at the closest point: on a thin part that of another sheet has the opposite normal.
   void measure_face(std::size_t f)
   {
-    const Face_distances d = sample(f, m_remesh.next_points);
-    const Point p = point_at(m_remesh.triangle(f, m_remesh.next_points), barycenter_coordinates);
+    const std::array<Point, 3> t = m_remesh.triangle(f, m_remesh.next_points);
+    const Face_distances d = m_sampling.measure(m_reference, f, t, sides(f));
+    const Point p = point_at(t, barycenter_coordinates);
     const Foot foot = m_reference.project(p, barycenter_hint(f));
     const double at_barycenter = distance_to_foot(p, m_reference, foot);
-    m_faces[f] = { static_cast<float>(d.mean), static_cast<float>(d.mean_square),
+    m_faces[f] = { static_cast<float>(d.mean), static_cast<float>(d.mean_square), static_cast<float>(d.variance),
                    static_cast<float>((std::max)(d.max, at_barycenter)),
                    orientation_at(m_reference, foot, m_remesh.area_normal(f, m_remesh.next_points)) };
   }

@@ -69,12 +69,12 @@ Errors measure(const Mesh& from, const Distance_to_mesh& to, int splits)
   return measure_errors(from, splits, [&](const Point& p) { return to(p, hint); });
 }
 
-// Each face is measured at splits * splits points. On simplified meshes, whose distance changes its sign, so few as 256 are
-// half a percent too low.
-void check_report(const Mesh& remesh, const Mesh& reference, int splits)
+void check_report(const Mesh& remesh, const Mesh& reference)
 {
+  constexpr int splits = 40; // where the distance changes its sign, 16 are half a percent too low
   constexpr int splits_of_reference = 4;
-  constexpr double of_mean = 0.005, of_maximum = 0.01;
+  constexpr double of_mean = 0.0075; // twice the standard deviation of as many samples as the report has
+  constexpr double of_maximum = 0.01;
   constexpr double of_mean_back = 0.03, of_maximum_back = 0.03; // that way there are fewer samples
   const Distance_to_mesh to_reference(reference);
   const Errors before = measure(remesh, to_reference, splits),
@@ -116,11 +116,11 @@ void test_reports()
   const Mesh elephant = read_model("elephant");
   start_topic("A remesh, and its result put in again");
   Mesh remesh = make_remesh(elephant, 0.05);
-  check_report(remesh, elephant, 16);
+  check_report(remesh, elephant);
   PMP::optimize_vertex_locations(remesh, Flat_surface(elephant), params::placement_method(PMP::LEAST_SQUARES));
-  check_report(remesh, elephant, 16);
+  check_report(remesh, elephant);
   start_topic("A simplified mesh");
-  check_report(simplified(elephant, 2400), elephant, 40);
+  check_report(simplified(elephant, 2400), elephant);
 }
 
 // A height field that edge collapses have made coarse: its large faces span bumps of the reference.
@@ -175,9 +175,10 @@ void test_peaks_beside_creases()
     Mesh mesh = coarse;
     const auto report = PMP::optimize_vertex_locations(mesh, Flat_surface(fandisk), params::placement_method(method));
     const double before = largest_distance(coarse, to_fandisk), after = largest_distance(mesh, to_fandisk);
-    CHECK_NEAR(report.initial_error.max, before, 0.04 * before); // it is searched for between these samples
+    CHECK_AT_LEAST(report.initial_error.max, 0.99 * before); // it is searched for between these samples, too
+    CHECK_AT_MOST(report.initial_error.max, 1.1 * before);
     CHECK_AT_MOST(after, report.initial_error.max);
-    CHECK_AT_LEAST(report.final_error.max, 0.99 * after);
+    CHECK_AT_LEAST(report.final_error.max, 0.97 * after);
   }
 }
 

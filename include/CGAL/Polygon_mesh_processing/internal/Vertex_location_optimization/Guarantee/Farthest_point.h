@@ -22,7 +22,6 @@
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/geometry.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/triangle_coordinates.h>
 
-#include <boost/container/small_vector.hpp>
 #include <boost/range/irange.hpp>
 
 #include <algorithm>
@@ -71,7 +70,7 @@ double distance_to_planes(const std::array<Point, 3>& corners, const std::array<
 template <typename Reference>
 double distance_to_planes_of_quarters(const Reference& reference,
                                       const std::array<Point, 3>& corners,
-                                      const Face_sides<typename Reference::Foot>& sides)
+                                      const Face_feet<typename Reference::Foot>& feet)
 {
   using Plane = Tangent_plane<Reference>;
   const auto planes_at = [&](const auto& f) {
@@ -79,7 +78,7 @@ double distance_to_planes_of_quarters(const Reference& reference,
   };
   const std::array<Point, 3> midpoints{ { midpoint(corners[1], corners[2]), midpoint(corners[2], corners[0]),
                                           midpoint(corners[0], corners[1]) } };
-  const std::array<Plane, 3> planes = planes_at(sides.feet), midpoint_planes = planes_at(sides.midpoint_feet);
+  const std::array<Plane, 3> planes = planes_at(feet.of_corners), midpoint_planes = planes_at(feet.of_midpoints);
   double largest = distance_to_planes(midpoints, midpoint_planes);
   for(int k = 0; k < 3; ++k)
   {
@@ -116,25 +115,33 @@ public:
     const int min_level = level_of_reference(t, hint);
     constexpr double near = 0; // the corners are searched for
     double largest = bound;
-    boost::container::small_vector<Part, 64> parts; // a heap
+    Samples samples;
+    samples.reserve(3 + 3 * max_cuts);
+    std::vector<Part> parts; // a heap
+    parts.reserve(1 + 3 * max_cuts);
+    const auto may_be_larger = [&](const Part& part) { return part.bound > (1 + tolerance) * largest + rounding * size; };
     const auto add = [&](Part part) {
-      for(const Sample& corner : part.corners)
-        largest = (std::max)(largest, corner.distance);
+      for(int corner : part.corners)
+        largest = (std::max)(largest, samples[corner].distance);
       if(part.level == max_level)
         return;
-      part.bound = part.level < min_level ? std::numeric_limits<double>::infinity() : upper_bound(part, size);
+      part.bound = part.level < min_level ? std::numeric_limits<double>::infinity() : upper_bound(samples, part, size);
+      if(!may_be_larger(part))
+        return;
       parts.push_back(part);
       std::push_heap(parts.begin(), parts.end());
     };
-    add({ { { sample(t, { 0, 0 }, hint, near), sample(t, { 1, 0 }, hint, near), sample(t, { 0, 1 }, hint, near) } }, 1, 0 });
+    for(const Coordinates& corner : { Coordinates{ 0, 0 }, Coordinates{ 1, 0 }, Coordinates{ 0, 1 } })
+      samples.push_back(sample(t, corner, hint, near));
+    add({ { { 0, 1, 2 } }, 1, 0 });
     for(int cuts = 0; !parts.empty() && cuts < max_cuts && !(is_any_enough && largest > bound); ++cuts)
     {
-      if(!(parts.front().bound > (1 + tolerance) * largest + rounding * size))
+      if(!may_be_larger(parts.front()))
         break;
       std::pop_heap(parts.begin(), parts.end());
       const Part part = parts.back();
       parts.pop_back();
-      for(const Part& child : cut(t, part, largest))
+      for(const Part& child : cut(t, part, largest, samples))
         add(child);
     }
     return largest;
@@ -159,14 +166,16 @@ private:
     double distance;
   };
 
+  using Samples = std::vector<Sample>;
+
   struct Part
   {
     bool operator<(const Part& other) const { return bound < other.bound; }
 
-    std::array<Sample, 3> corners;
-    double slope;     // that the distance may have in it
-    int level;        // how often it was cut
-    double bound = 0; // of the distance in it
+    std::array<int, 3> corners; // among the samples
+    double slope;               // that the distance may have in it
+    int level;                  // how often it was cut
+    double bound = 0;           // of the distance in it
   };
 
   // How often a triangle must be cut until its parts are no larger than the patches of the reference: before, a peak of the
@@ -189,13 +198,13 @@ private:
       (std::max)({ squared_distance(t[0], t[1]), squared_distance(t[1], t[2]), squared_distance(t[2], t[0]) }) / 3);
   }
 
-  static double upper_bound(const Part& part, const double size)
+  static double upper_bound(const Samples& samples, const Part& part, const double size)
   {
-    const auto& c = part.corners;
-    const double largest = (std::max)({ c[0].distance, c[1].distance, c[2].distance });
+    const Sample &a = samples[part.corners[0]], &b = samples[part.corners[1]], &c = samples[part.corners[2]];
+    const double largest = (std::max)({ a.distance, b.distance, c.distance });
     const double radius = std::ldexp(size, -part.level);
-    const double to_plane = distance_to_planes(std::array<Point, 3>{ { c[0].point, c[1].point, c[2].point } },
-                                               std::array<Plane, 3>{ { c[0].plane, c[1].plane, c[2].plane } });
+    const double to_plane = distance_to_planes(std::array<Point, 3>{ { a.point, b.point, c.point } },
+                                               std::array<Plane, 3>{ { a.plane, b.plane, c.plane } });
     return (std::min)(largest + radius, (std::max)(largest + part.slope * radius, margin * to_plane));
   }
 
@@ -206,15 +215,21 @@ private:
     return { x, p, foot, Plane(m_reference, foot), distance_to_foot(p, m_reference, foot) };
   }
 
-  // The four triangles between the corners of a part and the midpoints of its sides. Distances above `largest` are exact.
-  std::array<Part, 4> cut(const Triangle& t, const Part& part, const double largest) const
+  // The four triangles between the corners of a part and the midpoints of its sides, which are sampled. Distances above
+  // `largest` are exact.
+  std::array<Part, 4> cut(const Triangle& t, const Part& part, const double largest, Samples& samples) const
   {
-    const std::array<Sample, 3>& c = part.corners;
-    const double near = (std::min)(largest, near_by((std::max)({ c[0].distance, c[1].distance, c[2].distance }), radius(t)));
-    const auto middle = [&](const Sample& a, const Sample& b) {
-      return sample(t, { (a.coordinates.u + b.coordinates.u) / 2, (a.coordinates.v + b.coordinates.v) / 2 }, a.foot, near);
-    };
-    const std::array<Sample, 3> m{ { middle(c[1], c[2]), middle(c[2], c[0]), middle(c[0], c[1]) } };
+    const std::array<int, 3>& c = part.corners;
+    const double largest_at_corners = (std::max)({ samples[c[0]].distance, samples[c[1]].distance, samples[c[2]].distance });
+    const double near = (std::min)(largest, near_by(largest_at_corners, radius(t)));
+    const int first = static_cast<int>(samples.size());
+    const std::array<int, 3> m{ { first, first + 1, first + 2 } }; // opposite to the corners
+    for(int k = 0; k < 3; ++k)
+    {
+      const Sample &a = samples[c[(k + 1) % 3]], &b = samples[c[(k + 2) % 3]];
+      const Coordinates middle{ (a.coordinates.u + b.coordinates.u) / 2, (a.coordinates.v + b.coordinates.v) / 2 };
+      samples.push_back(sample(t, middle, a.foot, near));
+    }
     std::array<Part, 4> children{ { { { { c[0], m[2], m[1] } }, 0, 0 },
                                     { { { m[2], c[1], m[0] } }, 0, 0 },
                                     { { { m[1], m[0], c[2] } }, 0, 0 },
@@ -223,7 +238,7 @@ private:
     for(Part& child : children)
     {
       child.level = part.level + 1;
-      child.slope = safety * slope(child);
+      child.slope = safety * slope(samples, child);
       steepest = (std::max)(steepest, child.slope);
     }
     // where the distance is smooth its slopes change by half as much over half the length
@@ -236,12 +251,12 @@ private:
   }
 
   // the largest slope along the sides of a part
-  static double slope(const Part& part)
+  static double slope(const Samples& samples, const Part& part)
   {
     double result = 0;
     for(int k = 0; k < 3; ++k)
     {
-      const Sample &a = part.corners[k], &b = part.corners[(k + 1) % 3];
+      const Sample &a = samples[part.corners[k]], &b = samples[part.corners[(k + 1) % 3]];
       const double length = std::sqrt(squared_distance(a.point, b.point));
       if(length > 0)
         result = (std::max)(result, std::abs(a.distance - b.distance) / length);

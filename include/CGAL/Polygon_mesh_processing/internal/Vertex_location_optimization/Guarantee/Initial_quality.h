@@ -50,17 +50,18 @@ Initial_quality measure_initial_quality(const Reference& reference,
   const Face_sampling sampling(remesh, remesh.points);
   std::vector<float> means(remesh.number_of_faces()), maxima(means.size());
   const auto integral = sum_over_indices<ConcurrencyTag, Error_integral>(remesh.number_of_faces(), [&](std::size_t f) {
-    const auto sides = sides_of_face<typename Reference::Foot>(remesh, f, samples.vertices, samples.midpoints);
-    const Face_distances d = sampling.measure(reference, f, remesh.triangle(f), sides, is_exact);
-    maxima[f] = static_cast<float>((std::max)(d.max, sides.largest_distance()));
+    const auto feet = feet_of_face<typename Reference::Foot>(remesh, f, samples.vertices, samples.midpoints);
+    const Face_distances d =
+      sampling.measure(reference, f, remesh.triangle(f), feet, measure.distances.maximum_on_sides(remesh, f), is_exact);
+    maxima[f] = static_cast<float>((std::max)(d.max, measure.distances.maximum(remesh, f)));
     means[f] = static_cast<float>(d.mean);
     const double area = remesh.area(f);
     return Error_integral{ area, area * d.mean, area * d.mean_square, maxima[f] };
   });
+
   Initial_quality quality{ integral.error(), std::move(means), std::move(measure.orientations) };
   quality.error.max = largest_distance(
-    reference, remesh, remesh.points,
-    [&](std::size_t f) { return (std::max)(double(maxima[f]), measure.distances.at_barycenters[f]); },
+    reference, remesh, remesh.points, [&](std::size_t f) { return maxima[f]; },
     [&](std::size_t f) { return samples.vertices.hint(remesh.first_vertex(f)); });
   return quality;
 }

@@ -45,27 +45,35 @@ class Result_distances
 
   static constexpr float unknown = -1; // a distance that is not measured
 
-  // The closest points to some queries.
-  struct Samples : Sample_offsets<Hint>
+  // The distances at some queries, and where to search for their closest points.
+  struct Samples
   {
-    const Hint& hint(std::size_t k) const { return this->hints[k]; }
-    const Vector& offset(std::size_t k) const { return this->offsets[k]; }
+    explicit Samples(Sample_offsets<Hint>& samples) : hints(std::move(samples.hints)), distances(samples.offsets.size())
+    {
+      std::transform(samples.offsets.begin(), samples.offsets.end(), distances.begin(), norm);
+      samples.offsets = {};
+    }
 
     // for query k, which goes from `from` to `to`; the edges there have this length
     void measure(std::size_t k, const Reference& reference, const Point& from, const Point& to, double length)
     {
-      const double near = near_by(norm(this->offsets[k]) + norm(to - from) / 2, length);
-      const Foot foot = walk_or_search(reference, to, this->hints[k], near);
-      this->offsets[k] = reference.point(foot) - to;
-      this->hints[k] = foot;
+      const double near = near_by(distances[k] + norm(to - from) / 2, length);
+      const Foot foot = walk_or_search(reference, to, hints[k], near);
+      distances[k] = distance_to_foot(to, reference, foot);
+      hints[k] = foot;
     }
+
+    const Hint& hint(std::size_t k) const { return hints[k]; }
+
+    std::vector<Hint> hints;
+    std::vector<double> distances;
   };
 
   // in single precision, as there are many
   struct Face
   {
-    float mean, mean_square, variance, max; // the variance is that of the mean
-    Face_orientation orientation;           // at the barycenter
+    float mean, mean_square, max;
+    Face_orientation orientation; // at the barycenter
   };
 
 public:
@@ -74,10 +82,9 @@ public:
                    const Remesh& remesh,
                    const Initial_quality& initial,
                    Remesh_sample_offsets<Hint> samples)
-    : m_reference(reference), m_remesh(remesh), m_initial(initial),
-      m_sampling(remesh, remesh.initial_points), m_vertices{ std::move(samples.vertices) }, m_midpoints{ std::move(
-                                                                                              samples.midpoints) },
-      m_points(remesh.points), m_faces(remesh.number_of_faces()), m_initial_maxima(remesh.number_of_faces(), unknown)
+    : m_reference(reference), m_remesh(remesh), m_initial(initial), m_sampling(remesh, remesh.initial_points),
+      m_vertices(samples.vertices), m_midpoints(samples.midpoints), m_points(remesh.points),
+      m_faces(remesh.number_of_faces()), m_initial_maxima(remesh.number_of_faces(), unknown)
   {}
 
   // Measures the next points.
@@ -149,8 +156,12 @@ public:
   // the integral over face f
   double integral(std::size_t f) const { return m_remesh.area(f, m_remesh.next_points) * m_faces[f].mean; }
 
-  // of that integral
-  double variance(std::size_t f) const { return square(m_remesh.area(f, m_remesh.next_points)) * m_faces[f].variance; }
+  // of that integral, as the samples tell
+  double variance(std::size_t f) const
+  {
+    const double of_samples = (std::max)(0., m_faces[f].mean_square - square(double(m_faces[f].mean)));
+    return square(m_remesh.area(f, m_remesh.next_points)) * of_samples / m_sampling.number_of_samples(f);
+  }
 
   // at the barycenter of face f
   Face_orientation orientation(std::size_t f) const { return m_faces[f].orientation; }
@@ -164,7 +175,7 @@ public:
   }
 
   // the largest of the samples on face f
-  double sampled_maximum(std::size_t f) const { return (std::max)(double(m_faces[f].max), sides(f).largest_distance()); }
+  double sampled_maximum(std::size_t f) const { return (std::max)(double(m_faces[f].max), maximum_on_sides(f)); }
 
   double maximum() const
   {
@@ -213,12 +224,21 @@ private:
     const double radius = std::sqrt(longest2 / 12); // no point is farther away from all corners and midpoints
     if(sampled + radius <= limit)
       return false;
-    const Face_sides<Foot> of_face = sides(f);
+    const Face_feet<Foot> of_face = feet(f);
     const double small = Face_sampling::is_smooth(m_reference, of_face) ? small_if_smooth : small_at_edges;
     return sampled > small * limit || distance_to_planes_of_quarters(m_reference, t, of_face) > small_if_smooth * limit;
   }
 
-  Face_sides<Foot> sides(std::size_t f) const { return sides_of_face<Foot>(m_remesh, f, m_vertices, m_midpoints); }
+  Face_feet<Foot> feet(std::size_t f) const { return feet_of_face<Foot>(m_remesh, f, m_vertices, m_midpoints); }
+
+  double maximum_on_sides(std::size_t f) const
+  {
+    double result = 0;
+    for(int k = 0; k < 3; ++k)
+      result =
+        (std::max)({ result, m_vertices.distances[m_remesh.face(f)[k]], m_midpoints.distances[m_remesh.face_edges[f][k]] });
+    return result;
+  }
 
   bool has_moved(std::size_t f) const
   {
@@ -241,11 +261,11 @@ private:
   void measure_face(std::size_t f)
   {
     const std::array<Point, 3> t = m_remesh.triangle(f, m_remesh.next_points);
-    const Face_distances d = m_sampling.measure(m_reference, f, t, sides(f));
+    const Face_distances d = m_sampling.measure(m_reference, f, t, feet(f), maximum_on_sides(f));
     const Point p = point_at(t, barycenter_coordinates);
     const Foot foot = m_reference.project(p, barycenter_hint(f));
     const double at_barycenter = distance_to_foot(p, m_reference, foot);
-    m_faces[f] = { static_cast<float>(d.mean), static_cast<float>(d.mean_square), static_cast<float>(d.variance),
+    m_faces[f] = { static_cast<float>(d.mean), static_cast<float>(d.mean_square),
                    static_cast<float>((std::max)(d.max, at_barycenter)),
                    orientation_at(m_reference, foot, m_remesh.area_normal(f, m_remesh.next_points)) };
   }

@@ -51,7 +51,7 @@ void test_defaults(const Input& input)
         optimized(input.mesh, input.reference, least_squares.regularity_weight(std::optional<double>())));
   CHECK(optimized(regular, input.reference, least_squares) ==
         optimized(regular, input.reference,
-                  least_squares.regularity_weight(0.17).convergence_threshold(3e-4).do_self_intersection_tests(true)));
+                  least_squares.regularity_weight(0.19).convergence_threshold(3e-4).do_self_intersection_tests(true)));
   CHECK(optimized(input.mesh, input.reference, parameters::default_values(), parameters::sharpness_angle(40)) == expected);
   CHECK(optimized(input.mesh, input.reference, parameters::default_values(),
                   parameters::vertex_point_map(input.reference.points())) == expected);

@@ -49,7 +49,7 @@ namespace Polygon_mesh_processing {
  * it did not before. No face has collapsed, to a smallest angle below 10 degrees, below half of what it was, and below
  * those of all faces around it at first. No edge is folded by more than a right angle that is also folded more sharply than
  * all edges at its ends were, by 5 degrees, and than the reference turns there, by 10 degrees. To that end the distance is
- * sampled at 32768 points or more, from one to 576 on each face, and its maximum is searched for by branch and bound, with a
+ * sampled at 32768 points or more, from four to 576 on each face, and its maximum is searched for by branch and bound, with a
  * margin of 1%. Moves are shortened only where they do harm. If the mean still does not fall by more than the accuracy with
  * which the samples tell, all moves are taken back. Section \ref secVLOGuarantee describes what the samples may miss.
  *

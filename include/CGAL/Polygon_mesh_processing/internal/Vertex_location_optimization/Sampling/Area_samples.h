@@ -61,9 +61,12 @@ walk_to_closest_point(const Remesh& remesh, const std::vector<Point>& points, co
   }
 }
 
-// The same point of the mesh, in the first of the faces that it is on the boundary of: rounding chooses among them.
+// The same point of the mesh, in the first of the faces that it is on the boundary of: rounding chooses among them. The fans of
+// polygons overlap, so that there is no such order.
 inline Patch_foot in_first_face(const Remesh& remesh, const Patch_foot& foot)
 {
+  if(remesh.has_polygons())
+    return foot;
   const std::array<double, 3> lambda = foot.coordinates.barycentric();
   const auto is_on_side = [&](int k) { return lambda[k] <= boundary_tolerance; };
   Index first = 3 * foot.patch;

@@ -107,17 +107,16 @@ Far_point climb_to_far_point(const Reference& reference,
   Far_point top = find_closest_face(tree, p, hint);
   if constexpr(Reference::walks)
   {
-    const auto height = [&](const Patch_foot& foot) {
-      return find_closest_face(tree, reference.point(foot), hint).distance;
-    };
+    const auto closest_face = [&](const Patch_foot& foot) { return find_closest_face(tree, reference.point(foot), hint); };
+    const auto height = [&](const Patch_foot& foot) { return closest_face(foot).distance; };
     Patch_foot foot = reference.project(p);
     if(crosses_patches)
       foot = reference.climb(foot, height);
+    Far_point highest = closest_face(foot);
     constexpr double large = 0.5; // relative to the distance; between the corners of smaller patches nothing is far higher
     const double length = length_of_patch(reference, foot);
-    if(length > large * limit && height(foot) + length > limit) // no distance is steeper than one
-      foot = climb_in_patch(foot, height);
-    const Far_point highest = find_closest_face(tree, reference.point(foot), hint);
+    if(length > large * limit && highest.distance + length > limit) // no distance is steeper than one
+      highest = closest_face(climb_in_patch(foot, height));
     if(highest.distance > top.distance)
       top = highest;
   }

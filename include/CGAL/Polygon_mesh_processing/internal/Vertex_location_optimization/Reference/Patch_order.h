@@ -34,7 +34,7 @@ template <typename Patch>
 class Patch_order
 {
 public:
-  // n patches, n > 1
+  // one patch or more
   template <typename ConcurrencyTag>
   Patch_order(const std::vector<Patch>& patches, const ConcurrencyTag&)
     : m_patches(patches), m_items(patches.size()), m_boxes(patches.size() - 1)

@@ -7,7 +7,9 @@
 #define VERTEX_LOCATION_OPTIMIZATION_BENCHMARK_QUALITY_MEASURES_H
 
 #include "../sparse_least_squares.h"
+#include "limits.h"
 #include "remeshers.h"
+#include "simplify.h"
 
 #include <CGAL/Polygon_mesh_processing/approximation_error.h>
 #include <CGAL/Polygon_mesh_processing/Flat_triangle_surface.h>
@@ -20,11 +22,10 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
-
-using Concurrency_tag = CGAL::Parallel_if_available_tag;
 
 // what is compared
 enum Method
@@ -53,6 +54,7 @@ struct Row
   std::string remesher;
   Paper paper;
   std::size_t number_of_vertices;
+  std::optional<double> limit;      // of the mean, where the input is smooth
   std::array<Measures, 4> measures; // of the methods
 
   // in percent; negative if the method does harm
@@ -143,12 +145,25 @@ Mesh optimize(Mesh mesh, const Surface& reference, Method method)
   return mesh;
 }
 
+// that of the mean error, in 1e-4 of the longest side; a model with creases is not smooth
+inline std::optional<double> limit_of(const Model& model, std::size_t number_of_vertices, double Limits::*limit)
+{
+  if(model.is_flat)
+    return {};
+  return limits_of(curvatures_of(model.input), number_of_vertices).*limit / (1e-4 * longest_side(model.input));
+}
+
 // Optimizes a remesh of the model with each method and measures the results.
 template <typename Surface>
-Row measure_methods(
-  const Model& model, const std::string& remesher, const Mesh& remesh, double seconds, const Surface& reference)
+Row measure_methods(const Model& model,
+                    const std::string& remesher,
+                    const Mesh& remesh,
+                    double seconds,
+                    const Surface& reference,
+                    double Limits::*limit)
 {
-  Row row{ model.name, remesher, model.paper, remesh.number_of_vertices(), {} };
+  const std::size_t number_of_vertices = remesh.number_of_vertices();
+  Row row{ model.name, remesher, model.paper, number_of_vertices, limit_of(model, number_of_vertices, limit), {} };
   row.measures[REMESH] = measure(remesh, model, reference, seconds);
   for(Method method : { PIECEWISE_LINEAR, LEAST_SQUARES, SPARSE })
   {
@@ -163,13 +178,17 @@ Row measure_methods(
 
 // Makes a remesh of the model with `make_remesh()`, and its row.
 template <typename Surface, typename MakeRemesh>
-Row measure_remesh(const Model& model, const std::string& remesher, const Surface& reference, const MakeRemesh& make_remesh)
+Row measure_remesh(const Model& model,
+                   const std::string& remesher,
+                   const Surface& reference,
+                   const MakeRemesh& make_remesh,
+                   double Limits::*limit = &Limits::uniform)
 {
   CGAL::Timer timer;
   timer.start();
   const Mesh remesh = make_remesh();
   timer.stop();
-  return measure_methods(model, remesher, remesh, timer.time(), reference);
+  return measure_methods(model, remesher, remesh, timer.time(), reference, limit);
 }
 
 template <typename Surface>
@@ -183,15 +202,18 @@ template <typename Surface>
 std::vector<Row> measure_remeshers(const Model& model, const Surface& reference)
 {
   std::vector<Row> rows{ measure_isotropic_remesh(model, reference) };
-  auto add_row = [&](const char* remesher, const auto& make_remesh) {
-    rows.push_back(measure_remesh(model, remesher, reference, make_remesh));
+  auto add_row = [&](const char* remesher, const auto& make_remesh, double Limits::*limit = &Limits::uniform) {
+    rows.push_back(measure_remesh(model, remesher, reference, make_remesh, limit));
   };
   if(model.paper.mean.empty() || model.crease_angle < 180)
     return rows;
   add_row("isotropic, one iteration", [&]() { return remesh_isotropically(model, 1); });
   add_row("isotropic, made rough", [&]() { return remesh_roughly(model, reference); });
   add_row(adaptive_remesher, [&]() { return remesh_adaptively(model); });
-  add_row("centroidal Voronoi", [&]() { return remesh_with_Voronoi_cells(model, rows[0].number_of_vertices, reference); });
+  const std::size_t n = rows[0].number_of_vertices;
+  add_row("centroidal Voronoi", [&]() { return remesh_with_Voronoi_cells(model, n, reference); });
+  add_row(
+    "Lindstrom-Turk", [&]() { return simplify_Lindstrom_Turk(model.input, n); }, &Limits::anisotropic);
   return rows;
 }
 

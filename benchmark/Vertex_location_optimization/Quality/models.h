@@ -27,6 +27,7 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
+using Concurrency_tag = CGAL::Parallel_if_available_tag;
 
 // by how much the paper reduces the errors of a model, in percent; empty where that is not known
 struct Paper

@@ -14,13 +14,15 @@
 // plot_curves.gp draws the curves.
 //
 // Four numbers in a row are those of the remesh, of the two placement methods, and of a least squares fit as one sparse
-// linear system. Distances are in 1e-4 of the longest side of the bounding box.
+// linear system. The limit is the least mean error that so many vertices can have off a smooth surface: of equilateral
+// triangles of one size or, for a simplified mesh, of the best triangles. Distances are in 1e-4 of the longest side of the
+// bounding box.
 
-#include "limits.h"
 #include "measures.h"
 #include "models.h"
 #include "normals.h"
 #include "remeshers.h"
+#include "table_of_limits.h"
 #include "tables.h"
 #include "trade_off.h"
 

@@ -46,13 +46,13 @@ inline std::string reductions(const Row& row, double Measures::*error)
 // the methods.
 inline void print_errors(std::ostream& out, const std::vector<Row>& rows)
 {
-  out << "| model | remesher | vertices | mean | less, % | paper | maximum | less, % | paper |\n"
-         "|---|---|---|---|---|---|---|---|---|\n";
+  out << "| model | remesher | vertices | mean | less, % | paper | limit | maximum | less, % | paper |\n"
+         "|---|---|---|---|---|---|---|---|---|---|\n";
   for(const Row& row : rows)
     out << "| " << row.model << " | " << row.remesher << " | " << row.number_of_vertices << " | "
         << of_all_methods(row, &Measures::mean, 2) << " | " << reductions(row, &Measures::mean) << " | " << row.paper.mean
-        << " | " << of_all_methods(row, &Measures::max, 1) << " | " << reductions(row, &Measures::max) << " | "
-        << row.paper.max << " |\n";
+        << " | " << to_text(row.limit, 2) << " | " << of_all_methods(row, &Measures::max, 1) << " | "
+        << reductions(row, &Measures::max) << " | " << row.paper.max << " |\n";
   out << std::endl;
 }
 

@@ -225,6 +225,8 @@ void test_optimization(Byte_reader& bytes, const Mesh& remesh, const Surface& su
   const PMP::Placement_method method = bytes.boolean() ? PMP::LEAST_SQUARES : PMP::PIECEWISE_LINEAR;
   const bool do_self_intersection_tests = bytes.below(4) == 1;
   const double threshold = bytes.one_of(thresholds), weight = bytes.one_of(weights);
+  const bool guarantee_both_directions = bytes.boolean() != (method == PMP::LEAST_SQUARES);
+  const bool preserve_volume = bytes.below(4) == 1;
   Report report;
   try
   {
@@ -239,6 +241,8 @@ void test_optimization(Byte_reader& bytes, const Mesh& remesh, const Surface& su
                                               .edge_is_constrained_map(edge_is_constrained)
                                               .relax_constraints(relax_constraints)
                                               .do_self_intersection_tests(do_self_intersection_tests)
+                                              .guarantee_both_directions(guarantee_both_directions)
+                                              .preserve_volume(preserve_volume)
                                               .allow_move_functor(allow_move)
                                               .visitor(std::ref(visitor)));
   }

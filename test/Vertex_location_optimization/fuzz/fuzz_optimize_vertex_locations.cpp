@@ -119,25 +119,32 @@ double largest_coordinate(const Mesh& mesh)
   return largest;
 }
 
-// The mean distance, with the weights of the manual, and the largest at the same samples.
+// The mean distance, and the largest, at the barycenters of the parts of the faces, each of which is cut into 16 x 16.
 template <typename Surface>
 Errors errors_at_samples(const Mesh& mesh, const Surface& surface)
 {
+  constexpr int level = 16;
   Errors errors;
   double sum_of_areas = 0;
-  auto distance_at = [&](const Point& p) {
-    const double d = norm(surface.point(surface.project(p)) - p);
-    errors.max = (std::max)(errors.max, d);
-    return d;
-  };
   for(Mesh::Face_index f : mesh.faces())
   {
     const std::array<Point, 3> t = corners(mesh, f);
-    auto distance = [&](int a, int b, int c) { return distance_at(CGAL::barycenter(t[0], a, t[1], b, t[2], c)); };
     const double area = norm(area_vector(t));
-    errors.mean +=
-      area * ((distance(1, 0, 0) + distance(0, 1, 0) + distance(0, 0, 1)) / 20 +
-              (distance(1, 1, 0) + distance(0, 1, 1) + distance(1, 0, 1)) * 2 / 15 + distance(1, 1, 1) * 9 / 20);
+    double sum = 0;
+    auto add_distance_at = [&](int i, int j) { // in thirds of a part
+      const Point p = CGAL::barycenter(t[0], 3 * level - i - j, t[1], i, t[2], j);
+      const double d = norm(surface.point(surface.project(p)) - p);
+      errors.max = (std::max)(errors.max, d);
+      sum += d;
+    };
+    for(int i = 0; i < level; ++i)
+      for(int j = 0; j < level - i; ++j)
+      {
+        add_distance_at(3 * i + 1, 3 * j + 1);
+        if(i + j < level - 1)
+          add_distance_at(3 * i + 2, 3 * j + 2);
+      }
+    errors.mean += area * sum / (level * level);
     sum_of_areas += area;
   }
   errors.mean = sum_of_areas > 0 ? errors.mean / sum_of_areas : 0;
@@ -166,9 +173,10 @@ double largest_distance_on_lattice(const Mesh& mesh, const Surface& surface)
 template <typename Surface>
 void check_errors(const Mesh& remesh, const Mesh& mesh, const Surface& surface, double rounding)
 {
+  constexpr double accuracy = 2e-3; // of the means of single faces, which are larger than the reference
   const Errors before = errors_at_samples(remesh, surface), after = errors_at_samples(mesh, surface);
   if(std::isfinite(before.mean))
-    CHECK_AT_MOST(after.mean, before.mean * (1 + 1e-9) + rounding);
+    CHECK_AT_MOST(after.mean, before.mean * (1 + accuracy) + rounding);
   if(std::isfinite(before.max) && !(after.max <= before.max + rounding))
     CHECK_AT_MOST(after.max, largest_distance_on_lattice(remesh, surface) * 1.001 + rounding);
 }

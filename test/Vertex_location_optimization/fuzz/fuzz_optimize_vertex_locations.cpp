@@ -155,7 +155,7 @@ Errors errors_at_samples(const Mesh& mesh, const Surface& surface)
 template <typename Surface>
 double largest_distance_on_lattice(const Mesh& mesh, const Surface& surface)
 {
-  constexpr int level = 24;
+  constexpr int level = 120;
   double largest = 0;
   for(Mesh::Face_index face : mesh.faces())
   {

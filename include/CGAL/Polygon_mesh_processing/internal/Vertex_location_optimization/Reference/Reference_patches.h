@@ -40,7 +40,6 @@ class Reference_patches : public Connected_patches<Patch>
 public:
   using Foot = typename Base::Foot;
   using Feet = typename Base::Feet;
-  using Base::corner_across;
   using Base::feet_at;
   using Base::number_of_patches;
   using Base::patch;

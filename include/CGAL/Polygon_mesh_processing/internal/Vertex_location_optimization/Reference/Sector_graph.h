@@ -38,10 +38,17 @@ public:
     Index number_of_sides; // 0 inside a facet
   };
 
-  template <typename ConcurrencyTag>
-  Sector_graph(const Mesh_arrays& mesh, const std::vector<char>& is_crease, const Facets& facets, const ConcurrencyTag&)
+  Sector_graph() = default;
+
+  // still without edges
+  Sector_graph(const Mesh_arrays& mesh, const std::vector<char>& is_crease)
   {
     number_sectors(mesh, Sectors(mesh, is_crease));
+  }
+
+  template <typename ConcurrencyTag>
+  void find_edges(const Mesh_arrays& mesh, const Facets& facets)
+  {
     m_edges.resize(m_first_edge.back());
     for_each_index<ConcurrencyTag>(number_of_sectors(), [&](std::size_t s) { set_edges(mesh, facets, s); });
   }

@@ -78,9 +78,17 @@ template <typename ConcurrencyTag>
 std::vector<PN_triangle>
 make_PN_patches(const Mesh_arrays& mesh, const std::vector<Vector>& face_normals, const std::vector<char>& is_crease)
 {
-  const Facets facets = find_facets<ConcurrencyTag>(mesh, face_normals, is_crease);
-  const Sector_graph graph(mesh, is_crease, facets, ConcurrencyTag());
-  const std::vector<Vector> sector_normals = compute_sector_normals<ConcurrencyTag>(mesh, face_normals, facets, graph);
+  Facets facets;
+  std::vector<std::array<double, 3>> angles;
+  Sector_graph graph;
+  call_both<ConcurrencyTag>(
+    [&] {
+      facets = find_facets<ConcurrencyTag>(mesh, face_normals, is_crease);
+      angles = compute_angles<ConcurrencyTag>(mesh);
+    },
+    [&] { graph = Sector_graph(mesh, is_crease); }); // which takes one thread
+  graph.find_edges<ConcurrencyTag>(mesh, facets);
+  const std::vector<Vector> sector_normals = compute_sector_normals<ConcurrencyTag>(face_normals, angles, facets, graph);
   const Patch_boundaries boundaries(mesh, facets, graph, sector_normals, ConcurrencyTag());
 
   std::vector<PN_triangle> patches(mesh.number_of_faces());
@@ -97,6 +105,47 @@ make_PN_patches(const Mesh_arrays& mesh, const std::vector<Vector>& face_normals
     patches[f] = PN_triangle(corners);
   });
   return patches;
+}
+
+// The curves of the creases and borders, along the patches, one a face from `patches` on.
+template <typename Patch>
+Feature_curves make_feature_curves(const Mesh_arrays& mesh, const std::vector<char>& is_crease, const Patch* const patches)
+{
+  const auto is_feature = [&](Index e) {
+    return mesh.edge_corners[e][0] != no_index && (is_crease[e] || mesh.is_border(e));
+  };
+  const auto curve_piece = [&](Index e) {
+    // along the side opposite to the corner k of a face at the edge
+    const Index corner = mesh.edge_corners[e][0];
+    const auto at = [&](double t) {
+      std::array<double, 3> lambda;
+      lambda[corner % 3] = 0;
+      lambda[(corner + 1) % 3] = 1 - t;
+      lambda[(corner + 2) % 3] = t;
+      return patches[corner / 3].point({ lambda[1], lambda[2] });
+    };
+    const Curve_piece piece(at(0), at(1. / 3), at(2. / 3), at(1));
+    return mesh.vertex(Mesh_arrays::next(corner)) == mesh.edges[e][0] ? piece : piece.reversed();
+  };
+  return Feature_curves(mesh, is_feature, curve_piece);
+}
+
+// The patches of a tree, one a face, with their neighbors.
+template <typename ConcurrencyTag, typename Patch>
+Connected_patches<Patch>
+connect_patches(const Mesh_arrays& mesh, const std::vector<Vector>& face_normals, Patch_tree<Patch> tree)
+{
+  std::vector<std::array<Index, 3>> neighbors(mesh.number_of_faces());
+  std::vector<unsigned char> folds(mesh.number_of_faces(), 0);
+  for_each_index<ConcurrencyTag>(mesh.number_of_faces(), [&](std::size_t f) {
+    for(Index k = 0; k < 3; ++k)
+    {
+      const Index corner = neighbors[f][k] = mesh.corner_across(static_cast<Index>(3 * f + k));
+      if(corner != no_index && face_normals[f] * face_normals[corner / 3] < 0)
+        folds[f] = static_cast<unsigned char>(folds[f] | 1 << k);
+    }
+  });
+  return { std::move(tree), std::move(neighbors), std::move(folds) };
 }
 
 // Whether the normals of a mesh can tell a smooth surface: not if creases make more than a third of the length of its edges.
@@ -145,38 +194,13 @@ Reference_patches<Patch> make_reference_patches(const TriangleMesh& tmesh,
       make_PN_patches<ConcurrencyTag>(mesh, face_normals, is_flat ? std::vector<char>(mesh.edges.size(), 1) : is_crease);
   }
 
-  auto is_feature = [&](Index e) { return mesh.edge_corners[e][0] != no_index && (is_crease[e] || mesh.is_border(e)); };
-  auto curve_piece = [&](Index e) {
-    // along the side opposite to the corner k of a face at the edge
-    const Index corner = mesh.edge_corners[e][0];
-    auto at = [&](double t) {
-      std::array<double, 3> lambda;
-      lambda[corner % 3] = 0;
-      lambda[(corner + 1) % 3] = 1 - t;
-      lambda[(corner + 2) % 3] = t;
-      return patches[corner / 3].point({ lambda[1], lambda[2] });
-    };
-    const Curve_piece piece(at(0), at(1. / 3), at(2. / 3), at(1));
-    return mesh.vertex(Mesh_arrays::next(corner)) == mesh.edges[e][0] ? piece : piece.reversed();
-  };
-  Feature_curves curves(mesh, is_feature, curve_piece);
-
-  std::vector<std::array<Index, 3>> neighbors(mesh.number_of_faces());
-  std::vector<unsigned char> folds(mesh.number_of_faces(), 0);
-  for_each_index<ConcurrencyTag>(mesh.number_of_faces(), [&](std::size_t f) {
-    for(Index k = 0; k < 3; ++k)
-    {
-      const Index corner = neighbors[f][k] = mesh.corner_across(static_cast<Index>(3 * f + k));
-      if(corner != no_index && face_normals[f] * face_normals[corner / 3] < 0)
-        folds[f] = static_cast<unsigned char>(folds[f] | 1 << k);
-    }
-  });
-  return { std::move(patches),
-           std::move(neighbors),
-           std::move(folds),
-           std::move(curves),
-           is_flat ? Reference_surface_kind::FLAT : Reference_surface_kind::PN,
-           ConcurrencyTag() };
+  Patch_tree<Patch> tree;
+  Feature_curves curves;
+  const Patch* const first = patches.data(); // where the patches stay when they are moved to the tree
+  call_both<ConcurrencyTag>([&] { tree = Patch_tree<Patch>(std::move(patches), ConcurrencyTag()); },
+                            [&] { curves = make_feature_curves(mesh, is_crease, first); });
+  return { connect_patches<ConcurrencyTag>(mesh, face_normals, std::move(tree)), std::move(curves),
+           is_flat ? Reference_surface_kind::FLAT : Reference_surface_kind::PN };
 }
 
 } // namespace CGAL::Polygon_mesh_processing::internal::vertex_location

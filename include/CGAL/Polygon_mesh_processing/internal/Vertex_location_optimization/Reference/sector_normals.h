@@ -57,12 +57,11 @@ std::vector<std::array<double, 3>> compute_angles(const Mesh_arrays& mesh)
 }
 
 template <typename ConcurrencyTag>
-std::vector<Average_normal> average_facet_normals(const Mesh_arrays& mesh,
-                                                  const std::vector<Vector>& face_normals,
+std::vector<Average_normal> average_facet_normals(const std::vector<Vector>& face_normals,
+                                                  const std::vector<std::array<double, 3>>& angles,
                                                   const Facets& facets,
                                                   const Sector_graph& graph)
 {
-  const std::vector<std::array<double, 3>> angles = compute_angles<ConcurrencyTag>(mesh);
   std::vector<Average_normal> averages(graph.number_of_sectors());
   for_each_index<ConcurrencyTag>(averages.size(), [&](std::size_t s) {
     double largest = 0;
@@ -172,14 +171,14 @@ inline Vector correct_normal(const Sector_graph& graph,
 // holds at all edges as well as possible, in the sense of least squares. Edges that run from a plane into a rounding, to
 // the apex of a cone, or over a crease do not count.
 template <typename ConcurrencyTag>
-std::vector<Vector> compute_sector_normals(const Mesh_arrays& mesh,
-                                           const std::vector<Vector>& face_normals,
+std::vector<Vector> compute_sector_normals(const std::vector<Vector>& face_normals,
+                                           const std::vector<std::array<double, 3>>& angles, // of the triangles
                                            const Facets& facets,
                                            const Sector_graph& graph)
 {
   constexpr int number_of_sweeps = 5; // more gains nothing on scans
 
-  const std::vector<Average_normal> averages = average_facet_normals<ConcurrencyTag>(mesh, face_normals, facets, graph);
+  const std::vector<Average_normal> averages = average_facet_normals<ConcurrencyTag>(face_normals, angles, facets, graph);
   std::vector<Vector> normals, next(averages.size());
   normals.reserve(averages.size());
   for(const Average_normal& average : averages)

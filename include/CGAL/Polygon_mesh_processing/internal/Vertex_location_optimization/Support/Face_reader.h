@@ -18,6 +18,7 @@
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/Fans.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/Mesh_arrays.h>
 
+#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
 
@@ -86,7 +87,7 @@ public:
       if(m_selection.has_edge(e))
         put(m_edge_index, e, add_edge(vertex(source(e, m_pmesh)), vertex(target(e, m_pmesh)), e));
     Index number = 0;
-    for_each_polygon([&]() { read_polygon(number++); });
+    for_each_face([&](halfedge_descriptor first) { read_triangle(first, number++); }, [&]() { read_polygon(number++); });
     for(Index c = 0; c < 3 * m_mesh.number_of_faces(); ++c)
       add_edge_corner(c);
     return true;
@@ -99,25 +100,47 @@ private:
     return get(m_vertex_index, v);
   }
 
-  // calls f() with the corners of each polygon
-  template <typename F>
-  void for_each_polygon(const F& f)
+  Index edge_index(const halfedge_descriptor& h) const { return get(m_edge_index, edge(h, m_pmesh)); }
+
+  // Calls on_triangle(h) for each triangle, h pointing to its first vertex, and on_polygon() for each other face, whose
+  // corners are set then.
+  template <typename OnTriangle, typename OnPolygon>
+  void for_each_face(const OnTriangle& on_triangle, const OnPolygon& on_polygon)
   {
     for(auto face : faces(m_pmesh))
     {
       if(!m_selection.has_face(face))
         continue;
-      m_corners.clear();
-      m_vertices.clear();
-      for(halfedge_descriptor h : halfedges_around_face(halfedge(face, m_pmesh), m_pmesh))
+      const halfedge_descriptor first = halfedge_to_first_vertex(face);
+      if(is_triangle(first, m_pmesh))
+        on_triangle(first);
+      else
       {
-        m_corners.push_back(h);
-        m_vertices.push_back(vertex(target(h, m_pmesh)));
+        set_corners(first);
+        on_polygon();
       }
-      const auto first = std::min_element(m_vertices.begin(), m_vertices.end());
-      std::rotate(m_corners.begin(), m_corners.begin() + (first - m_vertices.begin()), m_corners.end());
-      std::rotate(m_vertices.begin(), first, m_vertices.end());
-      f();
+    }
+  }
+
+  template <typename Face>
+  halfedge_descriptor halfedge_to_first_vertex(const Face& face) const
+  {
+    const halfedge_descriptor begin = halfedge(face, m_pmesh);
+    halfedge_descriptor first = begin;
+    for(halfedge_descriptor h = next(begin, m_pmesh); h != begin; h = next(h, m_pmesh))
+      if(vertex(target(h, m_pmesh)) < vertex(target(first, m_pmesh)))
+        first = h;
+    return first;
+  }
+
+  void set_corners(const halfedge_descriptor& first)
+  {
+    m_corners.clear();
+    m_vertices.clear();
+    for(halfedge_descriptor h : halfedges_around_face(first, m_pmesh))
+    {
+      m_corners.push_back(h);
+      m_vertices.push_back(vertex(target(h, m_pmesh)));
     }
   }
 
@@ -138,8 +161,9 @@ private:
       if(m_selection.has_edge(e))
         ++edges_at[1 + (std::min)(vertex(source(e, m_pmesh)), vertex(target(e, m_pmesh)))];
     bool has_polygons = false;
-    for_each_polygon([&]() {
-      has_polygons = has_polygons || m_corners.size() > 3;
+    const auto count_triangle = [&](halfedge_descriptor first) { ++faces_at[1 + vertex(target(first, m_pmesh))]; };
+    for_each_face(count_triangle, [&]() {
+      has_polygons = true;
       for(const std::array<Index, 2>& ends : fans().diagonals)
         ++edges_at[1 + (std::min)(m_vertices[ends[0]], m_vertices[ends[1]])];
       for(const Fan_triangle& t : fans().triangles)
@@ -177,12 +201,28 @@ private:
     return index;
   }
 
+  void read_triangle(const halfedge_descriptor& first, const Index number)
+  {
+    const halfedge_descriptor second = next(first, m_pmesh), third = next(second, m_pmesh);
+    const Index i = vertex(target(first, m_pmesh)), f = m_next_face[i]++;
+    m_descriptors.halfedges[f] = first;
+    m_mesh.faces[f] = { i, vertex(target(second, m_pmesh)), vertex(target(third, m_pmesh)) };
+    m_mesh.face_edges[f] = { edge_index(third), edge_index(first), edge_index(second) };
+    if(m_mesh.has_polygons())
+    {
+      m_mesh.weights[f] = 1;
+      m_mesh.polygons[f] = number;
+      for(Index c = 3 * f; c < 3 * f + 3; ++c)
+        m_mesh.ears[c] = c;
+    }
+  }
+
   void read_polygon(const Index number)
   {
     const std::size_t n = m_corners.size();
     m_sides.clear();
     for(std::size_t i = 0; i < n; ++i)
-      m_sides.push_back(get(m_edge_index, edge(m_corners[(i + 1) % n], m_pmesh)));
+      m_sides.push_back(edge_index(m_corners[(i + 1) % n]));
     for(const std::array<Index, 2>& ends : fans().diagonals)
     {
       m_sides.push_back(add_edge(m_vertices[ends[0]], m_vertices[ends[1]], edge_descriptor()));
@@ -205,8 +245,7 @@ private:
       }
       m_corners_of_triangles.push_back(corners);
     }
-    if(m_mesh.has_polygons())
-      describe_polygon(number);
+    describe_polygon(number);
   }
 
   void describe_polygon(const Index number)
@@ -221,7 +260,7 @@ private:
       for(int k = 0; k < 3; ++k)
       {
         const Index corner = m_corners_of_triangles[i][k];
-        m_mesh.ears[corner] = n == 3 ? corner : m_corners_of_triangles[(triangles[i].corners[k] + n - 1) % n][1];
+        m_mesh.ears[corner] = m_corners_of_triangles[(triangles[i].corners[k] + n - 1) % n][1];
       }
     }
   }

@@ -267,13 +267,29 @@ private:
   const Reference& m_reference;
 };
 
-// The largest distance of the faces with the largest samples, with the vertices at `points`.
-template <typename Reference, typename SampledMaximum, typename Hint>
-double largest_distance(const Reference& reference,
-                        const Remesh& remesh,
-                        const std::vector<Point>& points,
-                        const SampledMaximum& sampled_maximum,
-                        const Hint& hint)
+// The largest distance of face f with its corners at `t`, if it is larger than `bound`; otherwise `bound`. It may be at a
+// sample where the search has not found it: `sampled_maximum` is that of the samples, or more where walking has missed closer
+// points. `feet` are hints.
+template <typename Reference>
+double largest_distance_on_face(const Reference& reference,
+                                const Face_sampling& sampling,
+                                const std::size_t f,
+                                const std::array<Point, 3>& t,
+                                const Face_feet<typename Reference::Foot>& feet,
+                                const double sampled_maximum,
+                                const double bound,
+                                const bool is_any_enough = false)
+{
+  const double found = Farthest_point<Reference>(reference)(t, feet.of_corners[0], bound, is_any_enough);
+  if(sampled_maximum <= found)
+    return found;
+  constexpr bool is_exact = true;
+  return (std::max)(found, sampling.measure(reference, f, t, feet, 0, is_exact).max);
+}
+
+// The largest distance of the faces with the largest samples. `largest_on_face(f, bound)` is that of face f, or `bound`.
+template <typename SampledMaximum, typename LargestOnFace>
+double largest_distance(const Remesh& remesh, const SampledMaximum& sampled_maximum, const LargestOnFace& largest_on_face)
 {
   constexpr int max_faces = 64; // it trades time for a maximum that is elsewhere
   const auto all = boost::irange<std::size_t>(0, remesh.number_of_faces());
@@ -283,10 +299,9 @@ double largest_distance(const Reference& reference,
       return std::make_pair(-sampled_maximum(f), f) < std::make_pair(-sampled_maximum(g), g);
     });
 
-  const Farthest_point<Reference> farthest(reference);
   double maximum = 0;
   for(auto f = faces.begin(); f != end; ++f)
-    maximum = farthest(remesh.triangle(*f, points), hint(*f), maximum);
+    maximum = largest_on_face(*f, maximum);
   return maximum;
 }
 

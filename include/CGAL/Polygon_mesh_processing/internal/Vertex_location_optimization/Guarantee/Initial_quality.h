@@ -48,11 +48,13 @@ Initial_quality measure_initial_quality(const Reference& reference,
 {
   constexpr bool is_exact = true; // where walking leads astray the distance is too large, and the result could be, too
   const Face_sampling sampling(remesh, remesh.points);
+  const auto feet_of = [&](std::size_t f) {
+    return feet_of_face<typename Reference::Foot>(remesh, f, samples.vertices, samples.midpoints);
+  };
   std::vector<float> means(remesh.number_of_faces()), maxima(means.size());
   const auto integral = sum_over_indices<ConcurrencyTag, Error_integral>(remesh.number_of_faces(), [&](std::size_t f) {
-    const auto feet = feet_of_face<typename Reference::Foot>(remesh, f, samples.vertices, samples.midpoints);
-    const Face_distances d =
-      sampling.measure(reference, f, remesh.triangle(f), feet, measure.distances.maximum_on_sides(remesh, f), is_exact);
+    const Face_distances d = sampling.measure(reference, f, remesh.triangle(f), feet_of(f),
+                                              measure.distances.maximum_on_sides(remesh, f), is_exact);
     maxima[f] = static_cast<float>((std::max)(d.max, measure.distances.maximum(remesh, f)));
     means[f] = static_cast<float>(d.mean);
     const double area = remesh.area(f);
@@ -61,8 +63,10 @@ Initial_quality measure_initial_quality(const Reference& reference,
 
   Initial_quality quality{ integral.error(), std::move(means), std::move(measure.orientations) };
   quality.error.max = largest_distance(
-    reference, remesh, remesh.points, [&](std::size_t f) { return maxima[f]; },
-    [&](std::size_t f) { return samples.vertices.hint(remesh.first_vertex(f)); });
+    remesh, [&](std::size_t f) { return maxima[f]; },
+    [&](std::size_t f, double bound) {
+      return largest_distance_on_face(reference, sampling, f, remesh.triangle(f), feet_of(f), maxima[f], bound);
+    });
   return quality;
 }
 

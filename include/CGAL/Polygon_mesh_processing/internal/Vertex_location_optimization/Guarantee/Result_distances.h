@@ -180,8 +180,10 @@ public:
   double maximum() const
   {
     return largest_distance(
-      m_reference, m_remesh, m_remesh.next_points, [&](std::size_t f) { return sampled_maximum(f); },
-      [&](std::size_t f) { return hint(f); });
+      m_remesh, [&](std::size_t f) { return sampled_maximum(f); },
+      [&](std::size_t f, double bound) {
+        return largest_on_face(f, m_remesh.next_points, sampled_maximum(f), bound, false);
+      });
   }
 
   // Whether the largest distance on face f is larger than `limit` and than with the initial points.
@@ -189,14 +191,16 @@ public:
   {
     if(!may_exceed(f, limit))
       return false;
-    const Farthest_point<Reference> farthest(m_reference);
-    const std::array<Point, 3> t = m_remesh.triangle(f, m_remesh.next_points);
-    if(!(farthest(t, hint(f), limit, true) > limit))
+    const double sampled = sampled_maximum(f);
+    if(!(largest_on_face(f, m_remesh.next_points, sampled, limit, true) > limit))
       return false;
     float& initial = m_initial_maxima[f];
     if(initial == unknown)
-      initial = rounded_up(farthest(m_remesh.triangle(f, m_remesh.initial_points), hint(f), limit));
-    return farthest(t, hint(f), initial, true) > initial;
+    {
+      constexpr double all_samples = std::numeric_limits<double>::infinity(); // are measured again
+      initial = rounded_up(largest_on_face(f, m_remesh.initial_points, all_samples, limit, false));
+    }
+    return largest_on_face(f, m_remesh.next_points, sampled, initial, true) > initial;
   }
 
   // a foot near to face f
@@ -209,6 +213,13 @@ private:
   static float rounded_up(const double x)
   {
     return std::nextafter(static_cast<float>(x), std::numeric_limits<float>::infinity());
+  }
+
+  double largest_on_face(
+    std::size_t f, const std::vector<Point>& points, double sampled_maximum, double bound, bool is_any_enough) const
+  {
+    return largest_distance_on_face(m_reference, m_sampling, f, m_remesh.triangle(f, points), feet(f), sampled_maximum,
+                                    bound, is_any_enough);
   }
 
   // Whether the largest distance on face f may be larger than `limit`, given its samples: not if all points are too close to a

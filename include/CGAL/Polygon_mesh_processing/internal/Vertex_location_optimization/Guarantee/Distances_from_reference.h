@@ -15,7 +15,7 @@
 
 #include <CGAL/license/Vertex_location_optimization.h>
 
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/climb_to_far_point.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Maximum_from_reference.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Measure/Error_integral.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Remesh.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Sampling/Area_samples.h>
@@ -33,7 +33,7 @@ namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
 // A point of the reference from which the remesh is too far away, and where the remesh, or what surrounds it, is closest to
 // it: faces of `make_face_tree()`.
-struct Distant_sample
+struct Distant_point
 {
   Index initial_face; // with the vertices at the initial points
   Index face;         // at the next points
@@ -47,7 +47,9 @@ class Distances_from_reference
   using Tree = Patch_tree<Flat_triangle>;
 
 public:
-  Distances_from_reference(const Reference& reference, const Remesh& remesh) : m_reference(reference), m_remesh(remesh) {}
+  Distances_from_reference(const Reference& reference, const Remesh& remesh)
+    : m_reference(reference), m_remesh(remesh), m_maximum(reference, remesh)
+  {}
 
   // Takes samples, and measures the initial points, exactly. `hint(f)` is a foot of face f on the reference.
   template <typename ConcurrencyTag, typename HintOfFace>
@@ -67,7 +69,8 @@ public:
     // what is closest to the surroundings is left out
     const auto is_elsewhere = [&](const Sample& s) { return s.face >= m_remesh.number_of_faces(); };
     m_samples.erase(std::remove_if(m_samples.begin(), m_samples.end(), is_elsewhere), m_samples.end());
-    m_initial_maximum = maximum(tree);
+    if constexpr(Reference::walks)
+      m_maximum.template start<ConcurrencyTag>(tree, sampled_maximum(tree));
   }
 
   // measures the next points
@@ -77,12 +80,14 @@ public:
     measure<ConcurrencyTag>(all_samples());
   }
 
-  // measures again the samples whose closest points are in these faces
+  // measures again the samples whose closest points are in these faces, which have changed
   template <typename ConcurrencyTag>
   void update(const std::vector<Index>& faces)
   {
     if(m_samples.empty())
       return;
+    if constexpr(Reference::walks)
+      m_maximum.update(faces);
     std::vector<char> has_changed(m_remesh.number_of_faces(), false);
     for(Index f : faces)
       has_changed[f] = true;
@@ -101,7 +106,10 @@ public:
   template <typename ConcurrencyTag>
   Approximation_error initial_error() const
   {
-    return error<ConcurrencyTag>(&Sample::initial_distance, m_initial_maximum);
+    Approximation_error result = error<ConcurrencyTag>(&Sample::initial_distance);
+    if constexpr(Reference::walks)
+      result.max = m_maximum.initial_maximum();
+    return result;
   }
 
   template <typename ConcurrencyTag>
@@ -109,7 +117,13 @@ public:
   {
     if(m_samples.empty())
       return {};
-    return error<ConcurrencyTag>(&Sample::distance, maximum(make_face_tree(m_remesh, m_remesh.next_points)));
+    Approximation_error result = error<ConcurrencyTag>(&Sample::distance);
+    if constexpr(Reference::walks)
+    {
+      const Tree tree = make_face_tree(m_remesh, m_remesh.next_points);
+      result.max = m_maximum.template maximum<ConcurrencyTag>(tree, sampled_maximum(tree));
+    }
+    return result;
   }
 
   double initial_mean() const { return mean_of(&Sample::initial_distance); }
@@ -127,28 +141,21 @@ public:
     return { std::move(initial), std::move(changes) };
   }
 
-  // The samples, and points of the reference to which climbing from them leads, whose distance exceeds the largest one with
-  // the initial points and what it was there.
-  std::vector<Distant_sample> find_distant() const
+  // The points of the reference whose distance exceeds the largest one with the initial points.
+  template <typename ConcurrencyTag>
+  std::vector<Distant_point> find_distant()
   {
-    std::vector<Far_point> far_points;
-    const auto may_be_near_to_one = [&](const Sample& s) { return s.distance > close * m_initial_maximum; };
-    if(std::any_of(m_samples.begin(), m_samples.end(), may_be_near_to_one))
+    std::vector<Distant_point> result;
+    if constexpr(Reference::walks)
     {
-      const Tree tree = make_face_tree(m_remesh, m_remesh.next_points);
-      for(const Sample& s : m_samples)
-        if(may_be_near_to_one(s))
-          add_far_point(s, tree, far_points);
-    }
-    std::vector<Distant_sample> result;
-    if(far_points.empty())
-      return result;
-    const Tree initial_tree = make_face_tree(m_remesh, m_remesh.initial_points); // one tree at a time
-    for(const Far_point& q : far_points)
-    {
-      const Far_point initial = find_closest_face(initial_tree, q.point, q.face);
-      if(q.distance > initial.distance)
-        result.push_back({ initial.face, q.face });
+      if(m_samples.empty())
+        return result;
+      const std::vector<Far_point> far_points = m_maximum.template find_beyond<ConcurrencyTag>();
+      if(far_points.empty())
+        return result;
+      const Tree initial_tree = make_face_tree(m_remesh, m_remesh.initial_points);
+      for(const Far_point& q : far_points)
+        result.push_back({ initial_tree.project(q.point, q.face).patch, q.face });
     }
     return result;
   }
@@ -157,13 +164,11 @@ private:
   struct Sample
   {
     Point point;
-    float weight;             // the area that it stands for, in any unit; 0 in the corners of the reference
+    float weight;             // the area that it stands for, in any unit
     Index initial_face, face; // where the closest points are
     float initial_distance, distance;
   };
 
-  // The farthest points of a flat reference most often are corners of it. Where it is much finer than the remesh they are too
-  // many, and climbing leads to them; where it is coarse the middles of its sides are as far away.
   template <typename ConcurrencyTag, typename HintOfFace>
   void take_samples(const HintOfFace& hint)
   {
@@ -172,38 +177,30 @@ private:
     if(!(area > 0))
       return;
     const std::size_t n = std::clamp(samples_per_face * m_remesh.number_of_faces(), least, most);
-    const auto add = [&](const auto& foot, double area_of_sample) {
-      m_samples.push_back({ m_reference.point(foot), static_cast<float>(area_of_sample / area * n), 0, 0, 0, 0 });
-    };
     m_samples.reserve(n);
-    take_area_samples<ConcurrencyTag>(m_reference, m_remesh, n, hint, add);
-    constexpr std::size_t most_patches_per_sample = 4; // with half as many corners
-    m_has_corners = m_reference.number_of_patches() <= most_patches_per_sample * n;
-    if(m_has_corners)
-      m_reference.for_each_corner([&](const auto& foot) { add(foot, 0); });
-    if constexpr(Reference::walks)
-      if(m_reference.number_of_patches() <= n)
-        for_each_middle_of_side(m_reference, [&](const Patch_foot& foot) { add(foot, 0); });
+    take_area_samples<ConcurrencyTag>(m_reference, m_remesh, n, hint, [&](const auto& foot, double area_of_sample) {
+      m_samples.push_back({ m_reference.point(foot), static_cast<float>(area_of_sample / area * n), 0, 0, 0, 0 });
+    });
   }
 
-  double mean_of(float Sample::*distance) const { return error<Sequential_tag>(distance, 0).mean; }
+  double mean_of(float Sample::*distance) const { return error<Sequential_tag>(distance).mean; }
 
   template <typename ConcurrencyTag>
-  Approximation_error error(float Sample::*distance, const double max) const
+  Approximation_error error(float Sample::*distance) const
   {
-    Approximation_error result = sum_over_indices<ConcurrencyTag, Error_integral>(m_samples.size(), [&](std::size_t i) {
-                                   const double weight = m_samples[i].weight, d = m_samples[i].*distance;
-                                   return Error_integral{ weight, weight * d, weight * square(d), d };
-                                 }).error();
-    result.max = max;
-    return result;
+    return sum_over_indices<ConcurrencyTag, Error_integral>(
+             m_samples.size(),
+             [&](std::size_t i) {
+               const double weight = m_samples[i].weight, d = m_samples[i].*distance;
+               return Error_integral{ weight, weight * d, weight * square(d), d };
+             })
+      .error();
   }
 
-  // The largest distance to the faces in `tree`, of the samples with the largest distances and of the points to which
-  // climbing from these leads.
-  double maximum(const Tree& tree) const
+  // the largest distance of those samples that have the largest ones, as they were measured
+  double sampled_maximum(const Tree& tree) const
   {
-    constexpr std::size_t max_samples = 256; // it trades time for a maximum that is elsewhere
+    constexpr std::size_t max_samples = 16; // walking may have led astray
     const std::vector<Index> all = all_samples();
     std::vector<Index> farthest((std::min)(max_samples, m_samples.size()));
     std::partial_sort_copy(all.begin(), all.end(), farthest.begin(), farthest.end(), [&](Index i, Index j) {
@@ -211,24 +208,15 @@ private:
     });
     double largest = 0;
     for(Index i : farthest)
-    {
-      const Sample& s = m_samples[i];
-      const double distance = find_closest_face(tree, s.point, s.face).distance;
-      largest = (std::max)({ largest, distance, distance >= close * largest ? climb(s, tree, largest).distance : 0 });
-    }
+      largest = (std::max)(largest, distance_to_faces(tree, m_samples[i]).second);
     return largest;
   }
 
-  Far_point climb(const Sample& s, const Tree& tree, const double limit) const
+  // the face that is closest to a sample, and its distance
+  static std::pair<Index, double> distance_to_faces(const Tree& tree, const Sample& s)
   {
-    return climb_to_far_point(m_reference, s.point, tree, s.face, !m_has_corners, limit);
-  }
-
-  void add_far_point(const Sample& s, const Tree& tree, std::vector<Far_point>& far_points) const
-  {
-    const Far_point top = climb(s, tree, m_initial_maximum);
-    if(top.distance > m_initial_maximum)
-      far_points.push_back(top);
+    const Patch_foot foot = tree.project(s.point, s.face);
+    return { foot.patch, norm(s.point - tree.point(foot)) };
   }
 
   std::vector<Index> all_samples() const
@@ -268,21 +256,17 @@ private:
     const Tree tree = make_face_tree(m_remesh, m_remesh.next_points);
     for_each_index<ConcurrencyTag>(indices.size(), [&](std::size_t k) {
       Sample& s = m_samples[indices[k]];
-      const Far_point closest = find_closest_face(tree, s.point, s.face);
-      if(closest.face < m_remesh.number_of_faces()) // not one of the surroundings
-        s.face = closest.face;
-      s.distance = static_cast<float>(closest.distance);
+      const auto [face, distance] = distance_to_faces(tree, s);
+      if(face < m_remesh.number_of_faces()) // not one of the surroundings
+        s.face = face;
+      s.distance = static_cast<float>(distance);
     });
   }
-
-  // relative to the maximum; from samples of less, climbing is not thought to lead above it
-  static constexpr double close = 0.6;
 
   const Reference& m_reference;
   const Remesh& m_remesh;
   std::vector<Sample> m_samples;
-  bool m_has_corners = false; // of the reference, among the samples
-  double m_initial_maximum = 0;
+  Maximum_from_reference<Reference> m_maximum;
 };
 
 } // namespace CGAL::Polygon_mesh_processing::internal::vertex_location

@@ -214,11 +214,11 @@ private:
     return shorten_raising(stage, initial, changes);
   }
 
-  Indices vertices_that_raise_maximum_from_reference() const
+  Indices vertices_that_raise_maximum_from_reference()
   {
     Indices faces;
-    for(const Distant_sample& sample : m_distances_from_reference.find_distant())
-      for(Index f : { sample.initial_face, sample.face })
+    for(const Distant_point& point : m_distances_from_reference.template find_distant<ConcurrencyTag>())
+      for(Index f : { point.initial_face, point.face })
         faces.push_back(f);
     return vertices_of(faces);
   }

@@ -21,21 +21,15 @@
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/Patch_tree.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Remesh.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/for_each_index.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/geometry.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <vector>
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
-
-// to single precision
-inline float rounded_up(const double x)
-{
-  return std::nextafter(static_cast<float>(x), std::numeric_limits<float>::infinity());
-}
 
 // Bounds the distance that the points of a patch of a reference have from the remesh, with its vertices at some points.
 template <typename Reference>

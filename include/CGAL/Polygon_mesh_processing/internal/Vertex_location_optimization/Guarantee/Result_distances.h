@@ -24,6 +24,7 @@
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Remesh.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Sampling/Remesh_samples.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/for_each_element.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/geometry.h>
 
 #include <algorithm>
 #include <array>
@@ -208,12 +209,6 @@ public:
 
 private:
   const Hint& barycenter_hint(std::size_t f) const { return m_midpoints.hints[m_remesh.edge_at_first_vertex(f)]; }
-
-  // to single precision: what has not changed must not seem to be more
-  static float rounded_up(const double x)
-  {
-    return std::nextafter(static_cast<float>(x), std::numeric_limits<float>::infinity());
-  }
 
   double largest_on_face(
     std::size_t f, const std::vector<Point>& points, double sampled_maximum, double bound, bool is_any_enough) const

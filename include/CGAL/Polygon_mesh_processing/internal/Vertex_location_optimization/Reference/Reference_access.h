@@ -45,9 +45,7 @@ namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 //   for_each_area_sample(n, m, hint, area, f)
 //                                 calls f(foot, a) for some n points spread over the surface, each of which stands for the
 //                                 area a; near the feet hint(0), ..., hint(m - 1) a is proportional to area(k)
-//   for_each_corner(f)            calls f(foot) for each corner of its patches, once where these meet
-//   number_of_patches()
-//   climb(foot, value)            the point to which climbing from `foot` leads, with the height value(foot)
+//   number_of_patches()           0 if it has none
 //   is_closed(), volume<Tag>()    whether it encloses a volume, and that
 //   summary<ConcurrencyTag>()     its kind, and how far it is from the faces of its mesh
 //   feature_curves()              its creases and borders, see `Feature_curves`
@@ -81,15 +79,7 @@ public:
   template <typename HintAt, typename AreaAt, typename F>
   void for_each_area_sample(std::size_t, std::size_t, const HintAt&, const AreaAt&, const F&) const
   {}
-  template <typename F>
-  void for_each_corner(const F&) const
-  {}
   std::size_t number_of_patches() const { return 0; }
-  template <typename Value>
-  Foot climb(const Foot& foot, const Value&) const
-  {
-    return foot;
-  }
   bool is_closed() const { return false; }
   template <typename ConcurrencyTag>
   double volume() const

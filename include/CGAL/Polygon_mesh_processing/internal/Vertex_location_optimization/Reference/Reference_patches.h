@@ -23,8 +23,6 @@
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/for_each_index.h>
 #include <CGAL/Polygon_mesh_processing/Vertex_location_optimization_report.h>
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
 #include <utility>
 
@@ -39,8 +37,6 @@ class Reference_patches : public Connected_patches<Patch>
 
 public:
   using Foot = typename Base::Foot;
-  using Feet = typename Base::Feet;
-  using Base::feet_at;
   using Base::number_of_patches;
   using Base::patch;
 
@@ -83,46 +79,6 @@ public:
   for_each_area_sample(const std::size_t n, const std::size_t m, const HintAt& hint, const AreaAt& area, const F& f) const
   {
     sample_patches(this->patches(), n, m, hint, area, f);
-  }
-
-  template <typename F>
-  void for_each_corner(const F& f) const
-  {
-    constexpr std::array<Coordinates, 3> corners{ { { 0, 0 }, { 1, 0 }, { 0, 1 } } };
-    for(Index i = 0; i < number_of_patches(); ++i)
-      for(const Coordinates& corner : corners)
-      {
-        const Foot foot{ i, corner };
-        const Feet feet = feet_at(foot);
-        if(std::none_of(feet.begin(), feet.end(), [&](const Foot& other) { return other.patch < i; }))
-          f(foot);
-      }
-  }
-
-  // The point to which climbing from `foot` leads, where value(foot) is no lower than around it: from corner to corner of
-  // the patches.
-  template <typename Value>
-  Foot climb(Foot foot, const Value& value) const
-  {
-    constexpr std::array<Coordinates, 3> corners{ { { 0, 0 }, { 1, 0 }, { 0, 1 } } };
-    double highest = value(foot);
-    for(bool is_higher = true; is_higher;)
-    {
-      is_higher = false;
-      for(const Foot& other : feet_at(foot))
-        for(const Coordinates& corner : corners)
-        {
-          const Foot candidate{ other.patch, corner };
-          const double height = value(candidate);
-          if(height > highest)
-          {
-            highest = height;
-            foot = candidate;
-            is_higher = true;
-          }
-        }
-    }
-    return foot;
   }
 
   const Feature_curves& feature_curves() const { return m_curves; }

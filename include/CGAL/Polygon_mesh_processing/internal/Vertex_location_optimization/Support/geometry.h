@@ -56,6 +56,12 @@ inline double angle_at(const Point& p, const Point& q, const Point& r)
   return std::atan2(norm(cross_product(u, v)), u * v);
 }
 
+// to single precision: what bounds x bounds it still
+inline float rounded_up(const double x)
+{
+  return std::nextafter(static_cast<float>(x), std::numeric_limits<float>::infinity());
+}
+
 // a point or vector in another kernel, by way of double precision
 template <typename To, typename From>
 To convert(const From& p)

@@ -18,6 +18,7 @@
 #include <CGAL/Polygon_mesh_processing/approximation_error.h>
 #include <CGAL/Polygon_mesh_processing/Flat_triangle_surface.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/named_parameters.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Tolerance/find_faces_to_split.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Tolerance/measure_deviations.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Tolerance/split_faces.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Tolerance/Tolerance_setting.h>
@@ -39,15 +40,14 @@ namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 template <typename ConcurrencyTag, typename TriangleMesh, typename Surface, typename NamedParameters, typename Visitor>
 class Remeshing_attempt
 {
-  // So many of the faces may be beyond the tolerance after the optimization, or eight: their longest sides are split, in so
-  // many rounds. The largest error of a remesh is that of one spot, which the next edge length may hit or not; a few more
-  // vertices there are worth more than a shorter edge length everywhere. With a larger part the remesh is less regular, and
-  // hardly smaller.
-  static constexpr double largest_part_to_refine = 0.1;
+  // So many of the faces may be beyond the tolerance after the optimization, or eight: sides of theirs are split, in rounds.
+  // The largest error of a remesh is that of some spots; a few more vertices there are worth more than a shorter edge length
+  // everywhere. With a larger part more vertices are added than the longer edges save, or there is no end.
+  static constexpr double largest_part_to_refine = 0.15;
   static constexpr std::size_t least_number_to_refine = 8;
   static constexpr double margin = 0.985; // of the tolerance: deviations are those of samples
-  static constexpr int largest_number_of_rounds = 8;
-  static constexpr int largest_number_in_vain = 3; // rounds, in which no fewer faces were beyond
+  static constexpr int largest_number_of_rounds = 24;
+  static constexpr int largest_number_in_vain = 4; // rounds, in which no fewer faces were beyond, and at least eight
 
   using Setting = Tolerance_setting<TriangleMesh, Surface>;
   using Edge_map = typename boost::property_map<TriangleMesh, dynamic_edge_property_t<bool>>::type;
@@ -79,13 +79,11 @@ public:
   const Tolerance_report& report() const { return m_report; }
 
   // The error that the search goes by, relative to the tolerance: not that of the few faces that may be refined, which
-  // differs much from length to length, unless refining them did not help.
+  // differs much from length to length.
   double typical_error() const
   {
-    const double error = tolerated_value(m_report, m_setting.kind);
-    const bool is_by_deviations =
-      m_setting.kind == MAXIMUM_ERROR && (m_report.is_within_tolerance || m_typical_deviation > m_setting.tolerance);
-    return (is_by_deviations ? m_typical_deviation : error) / m_setting.tolerance;
+    const double error = m_setting.kind == MAXIMUM_ERROR ? m_typical_deviation : tolerated_value(m_report, m_setting.kind);
+    return error / m_setting.tolerance;
   }
 
 private:
@@ -165,7 +163,7 @@ private:
       if(round == 0)
         m_typical_deviation = value_of_rank(deviations, largest_number);
 
-      std::vector<face_descriptor> faces_beyond = find_faces_beyond(limit, deviations, descriptors, m_mesh);
+      std::vector<std::size_t> faces_beyond = find_faces_beyond(limit, deviations);
       if(faces_beyond.empty())
       {
         measure();
@@ -173,14 +171,18 @@ private:
           return;
         // The deviations have missed something: less is tolerated of them.
         limit *= 0.99 * m_setting.tolerance / tolerated_value(m_report, m_setting.kind);
-        faces_beyond = find_faces_beyond(limit, deviations, descriptors, m_mesh);
+        faces_beyond = find_faces_beyond(limit, deviations);
+        least_number = (std::numeric_limits<std::size_t>::max)();
       }
-      rounds_in_vain = faces_beyond.size() < least_number ? 0 : rounds_in_vain + 1;
+      rounds_in_vain = faces_beyond.size() < (std::max)(least_number, least_number_to_refine) ? 0 : rounds_in_vain + 1;
       least_number = (std::min)(least_number, faces_beyond.size());
       if(round == largest_number_of_rounds || rounds_in_vain > largest_number_in_vain ||
          faces_beyond.size() > largest_number || !m_visitor.go_further())
         break;
-      split_longest_sides(faces_beyond, m_mesh, get(vertex_point, m_mesh), *m_is_constrained,
+      std::vector<face_descriptor> faces_to_split;
+      for(std::size_t f : find_faces_to_split(mesh, faces_beyond))
+        faces_to_split.push_back(face(descriptors.halfedges[f], m_mesh));
+      split_longest_sides(faces_to_split, m_mesh, get(vertex_point, m_mesh), *m_is_constrained,
                           access_reference(m_setting.surface));
       optimize();
     }
@@ -198,18 +200,6 @@ private:
     const auto nth = values.begin() + (std::min)(rank, values.size() - 1);
     std::nth_element(values.begin(), nth, values.end(), std::greater<double>());
     return *nth;
-  }
-
-  static std::vector<face_descriptor> find_faces_beyond(double limit,
-                                                        const std::vector<double>& deviations,
-                                                        const Mesh_descriptors<TriangleMesh>& descriptors,
-                                                        const TriangleMesh& mesh)
-  {
-    std::vector<face_descriptor> result;
-    for(std::size_t f = 0; f < deviations.size(); ++f)
-      if(deviations[f] > limit)
-        result.push_back(face(descriptors.halfedges[f], mesh));
-    return result;
   }
 
   std::vector<double> measure_face_deviations(const Mesh_arrays& mesh) const

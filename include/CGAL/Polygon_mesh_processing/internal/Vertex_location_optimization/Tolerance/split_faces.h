@@ -45,16 +45,14 @@ auto find_longest_side(typename boost::graph_traits<TriangleMesh>::face_descript
   return longest;
 }
 
-// The point of the reference that takes the place of the midpoint of an edge: that of its crease if it is constrained and
-// one is near.
+// The point that splits an edge: that of the crease of the reference if the edge is constrained and one is near; else the
+// midpoint, so that the surface does not change and does not come to intersect itself. The fit that follows moves it.
 template <typename Reference>
 Point find_split_point(const Point& p, const Point& q, bool is_constrained, const Reference& reference)
 {
   const Point middle = midpoint(p, q);
-  if(!is_constrained)
-    return reference.point(reference.project(middle));
   const Feature_curves& curves = reference.feature_curves();
-  if(curves.empty())
+  if(!is_constrained || curves.empty())
     return middle;
   const Point on_curve = curves.point(curves.project(middle));
   return squared_distance(on_curve, middle) < squared_distance(p, q) / 16 ? on_curve : middle;

@@ -182,7 +182,7 @@ private:
       std::vector<face_descriptor> faces_to_split;
       for(std::size_t f : find_faces_to_split(mesh, faces_beyond))
         faces_to_split.push_back(face(descriptors.halfedges[f], m_mesh));
-      split_longest_sides(faces_to_split, m_mesh, get(vertex_point, m_mesh), *m_is_constrained, rounds_in_vain > 0,
+      split_longest_sides(faces_to_split, m_mesh, get(vertex_point, m_mesh), *m_is_constrained,
                           access_reference(m_setting.surface));
       optimize();
     }

@@ -46,14 +46,11 @@ auto find_longest_side(typename boost::graph_traits<TriangleMesh>::face_descript
 }
 
 // The point that splits an edge: that of the crease of the reference if the edge is constrained and one is near; else the
-// midpoint, so that the surface does not change and does not come to intersect itself, and the fit that follows moves it; or,
-// where that has been in vain, the point of the reference.
+// midpoint, so that the surface does not change and does not come to intersect itself. The fit that follows moves it.
 template <typename Reference>
-Point find_split_point(const Point& p, const Point& q, bool is_constrained, bool is_projected, const Reference& reference)
+Point find_split_point(const Point& p, const Point& q, bool is_constrained, const Reference& reference)
 {
   const Point middle = midpoint(p, q);
-  if(is_projected && !is_constrained)
-    return reference.point(reference.project(middle));
   const Feature_curves& curves = reference.feature_curves();
   if(!is_constrained || curves.empty())
     return middle;
@@ -67,12 +64,11 @@ void split_edge_and_faces(typename boost::graph_traits<TriangleMesh>::halfedge_d
                           TriangleMesh& mesh,
                           const VertexPointMap& vpm,
                           const EdgeIsConstrainedMap& is_constrained,
-                          bool is_projected,
                           const Reference& reference)
 {
   const bool constrained = get(is_constrained, edge(h, mesh));
   const Point point = find_split_point(convert<Point>(get(vpm, source(h, mesh))), convert<Point>(get(vpm, target(h, mesh))),
-                                       constrained || is_border_edge(h, mesh), is_projected, reference);
+                                       constrained || is_border_edge(h, mesh), reference);
   const auto half = Euler::split_edge(h, mesh); // to the new vertex
   put(vpm, target(half, mesh), convert<typename boost::property_traits<VertexPointMap>::value_type>(point));
   put(is_constrained, edge(half, mesh), constrained);
@@ -87,7 +83,6 @@ void split_longest_sides(const std::vector<typename boost::graph_traits<Triangle
                          TriangleMesh& mesh,
                          const VertexPointMap& vpm,
                          const EdgeIsConstrainedMap& is_constrained,
-                         bool is_projected,
                          const Reference& reference)
 {
   std::vector<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor> sides;
@@ -104,7 +99,7 @@ void split_longest_sides(const std::vector<typename boost::graph_traits<Triangle
     }
   }
   for(auto h : sides)
-    split_edge_and_faces(h, mesh, vpm, is_constrained, is_projected, reference);
+    split_edge_and_faces(h, mesh, vpm, is_constrained, reference);
 }
 
 } // namespace CGAL::Polygon_mesh_processing::internal::vertex_location

@@ -20,7 +20,7 @@
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/named_parameters.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Tolerance/find_faces_to_split.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Tolerance/measure_deviations.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Tolerance/split_faces.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Tolerance/refine_spots.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Tolerance/Tolerance_setting.h>
 #include <CGAL/Polygon_mesh_processing/optimize_vertex_locations.h>
 #include <CGAL/Polygon_mesh_processing/Tolerance_report.h>
@@ -43,7 +43,7 @@ class Remeshing_attempt
   // So many of the faces may be beyond the tolerance after the optimization, or eight: sides of theirs are split, in rounds.
   // The largest error of a remesh is that of some spots; a few more vertices there are worth more than a shorter edge length
   // everywhere. With a larger part more vertices are added than the longer edges save, or there is no end.
-  static constexpr double largest_part_to_refine = 0.15;
+  static constexpr double largest_part_to_refine = 0.2;
   static constexpr std::size_t least_number_to_refine = 8;
   static constexpr double margin = 0.985; // of the tolerance: deviations are those of samples
   static constexpr int largest_number_of_rounds = 24;
@@ -132,23 +132,36 @@ private:
     return faces(m_mesh).begin() != faces(m_mesh).end() && is_finite_triangle_mesh(m_mesh, get(vertex_point, m_mesh));
   }
 
-  void optimize()
+  void optimize() { optimize_vertex_locations<ConcurrencyTag>(m_mesh, m_setting.surface, named_parameters()); }
+
+  // Only some faces, so that what is within the tolerance elsewhere stays so; all, where the volume of all is to be kept.
+  void optimize_around(const std::vector<face_descriptor>& faces)
+  {
+    using parameters::choose_parameter;
+    using parameters::get_parameter;
+
+    if(choose_parameter(get_parameter(m_np, internal_np::preserve_volume), false))
+      optimize();
+    else
+      optimize_vertex_locations<ConcurrencyTag>(faces, m_mesh, m_setting.surface, named_parameters());
+  }
+
+  auto named_parameters() const
   {
     using parameters::choose_parameter;
     using parameters::get_parameter;
 
     const Placement_method method = choose_parameter(get_parameter(m_np, internal_np::placement_method), LEAST_SQUARES);
     const bool relax = choose_parameter(get_parameter(m_np, internal_np::relax_constraints), true);
-    const auto np = Named_parameters_with_method(method, m_np)
-                      .vertex_point_map(get(vertex_point, m_mesh))
-                      .edge_is_constrained_map(*m_is_constrained)
-                      .vertex_is_constrained_map(Static_boolean_property_map<vertex_descriptor, false>())
-                      .relax_constraints(relax)
-                      .visitor(std::ref(m_visitor));
-    optimize_vertex_locations<ConcurrencyTag>(m_mesh, m_setting.surface, np);
+    return Named_parameters_with_method(method, m_np)
+      .vertex_point_map(get(vertex_point, m_mesh))
+      .edge_is_constrained_map(*m_is_constrained)
+      .vertex_is_constrained_map(Static_boolean_property_map<vertex_descriptor, false>())
+      .relax_constraints(relax)
+      .visitor(std::ref(m_visitor));
   }
 
-  // Splits what is beyond the tolerance as long as it is little, and measures.
+  // Refines what is beyond the tolerance as long as it is little, and measures.
   void refine()
   {
     double limit = margin * m_setting.tolerance;
@@ -179,14 +192,22 @@ private:
       if(round == largest_number_of_rounds || rounds_in_vain > largest_number_in_vain ||
          faces_beyond.size() > largest_number || !m_visitor.go_further())
         break;
-      std::vector<face_descriptor> faces_to_split;
-      for(std::size_t f : find_faces_to_split(mesh, faces_beyond))
-        faces_to_split.push_back(face(descriptors.halfedges[f], m_mesh));
-      split_longest_sides(faces_to_split, m_mesh, get(vertex_point, m_mesh), *m_is_constrained,
-                          access_reference(m_setting.surface));
-      optimize();
+      optimize_around(refine_spots(mesh, descriptors, faces_beyond, limit));
     }
     measure();
+  }
+
+  // returns the faces around the changes
+  std::vector<face_descriptor> refine_spots(const Mesh_arrays& mesh,
+                                            const Mesh_descriptors<TriangleMesh>& descriptors,
+                                            const std::vector<std::size_t>& faces_beyond,
+                                            double limit)
+  {
+    const auto& reference = access_reference(m_setting.surface);
+    const auto vpm = get(vertex_point, m_mesh);
+    return Spot_refinement<ConcurrencyTag, TriangleMesh, std::decay_t<decltype(vpm)>, Edge_map,
+                           std::decay_t<decltype(reference)>>(mesh, descriptors, reference, m_mesh, vpm, *m_is_constrained)
+      .refine(faces_beyond, limit);
   }
 
   static std::size_t number_to_refine(std::size_t number_of_faces)

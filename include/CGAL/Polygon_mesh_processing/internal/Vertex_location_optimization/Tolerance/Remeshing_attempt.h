@@ -18,7 +18,6 @@
 #include <CGAL/Polygon_mesh_processing/approximation_error.h>
 #include <CGAL/Polygon_mesh_processing/Flat_triangle_surface.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/named_parameters.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Tolerance/find_faces_to_split.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Tolerance/measure_deviations.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Tolerance/refine_spots.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Tolerance/Tolerance_setting.h>

@@ -95,7 +95,9 @@ std::vector<Face_and_distance> measure_distances(const std::vector<Point>& sampl
   std::vector<Face_and_distance> distances(samples.size());
   project_to_faces<ConcurrencyTag>(
     tree, samples.size(), [&](std::size_t i) -> const Point& { return samples[i]; },
-    [&](std::size_t i, const Patch_foot& foot) { distances[i] = { foot.patch, norm(samples[i] - tree.point(foot)) }; });
+    [&](std::size_t i, const Patch_foot& foot) {
+      distances[i] = { foot.patch, norm(samples[i] - tree.point(foot)) };
+    });
   return distances;
 }
 

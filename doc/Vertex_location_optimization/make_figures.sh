@@ -73,6 +73,26 @@ draw_quads()
   remesher="coarse quads" compare_errors "$work/quads_" "$figures/errors_quads.png" edges=1 "$@"
 }
 
+number_of_vertices() { sed -n 2p "$1" | cut -d ' ' -f 1; }
+
+# draw_tolerance MODEL EDGE_LENGTH LARGEST [NAME=VALUE...]: what is within a tolerance of 1% of the longest side: what the
+# remesher alone makes of a short enough edge length, and what remesh_within_tolerance() finds
+draw_tolerance()
+{
+  local model=$1 edge_length=$2 largest=$3
+  shift 3
+  "$examples/optimize_remesh" "$CGAL_DATA_DIR/meshes/$model.off" --edge-length "$edge_length" --reference flat \
+    --largest-color "$largest" --output "$work/alone_" | tee "$work/alone_log.txt"
+  "$examples/optimize_remesh" "$CGAL_DATA_DIR/meshes/$model.off" --tolerance 1% --reference flat --both-directions \
+    --largest-color "$largest" --output "$work/within_" | tee "$work/within_log.txt"
+  render "$work/alone_remesh_error.vtp" "$work/alone.png" largest="$largest" "$@"
+  render "$work/within_optimized_error.vtp" "$work/within.png" largest="$largest" "$@"
+  put_side_by_side "$figures/tolerance_$model.png" \
+    "$work/alone.png" "isotropic_remeshing(): $(number_of_vertices "$work/alone_remesh.off") vertices" \
+    "$work/within.png" "remesh_within_tolerance(): $(number_of_vertices "$work/within_optimized.off") vertices"
+  put_scale_below "$figures/tolerance_$model.png" "$(scale_of "$work/alone_" 2)" "$scale_unit"
+}
+
 draw_pictures()
 {
   cmake --build "$build_dir" -j "$jobs" --target optimize_remesh optimize_vertex_normals_example optimize_attributes_example \
@@ -83,6 +103,7 @@ draw_pictures()
   draw_errors fandisk fandisk "--edge-length 0.04 --least-squares --reference flat" edges=1 azimuth=30 elevation=20
   remesher="edge_collapse()" draw_errors simplified armadillo "--simplify 2000 --least-squares --reference flat" \
     edges=1 azimuth=180
+  draw_tolerance hand 0.016 0.005 edges=1
   draw_quads double-torus-example elevation=20
   draw_normals armadillo 2.7 azimuth=180
   draw_colors bunny00 0.03

@@ -151,6 +151,28 @@ done
 "$program" square.off --tolerance 0.01 --tolerated-error mean --reference pn -o within_ > stdout 2> stderr ||
   fail "a tolerance as a length"
 
+# volume_of FILE: what the triangles of a closed mesh enclose
+volume_of()
+{
+  awk 'NF == 3 && NR > 1 && vertices && n < vertices { for(i = 1; i <= 3; ++i) x[n, i] = $i; ++n; next }
+       NF == 3 && !vertices { vertices = $1; n = 0; next }
+       NF >= 4 && $1 == 3 {
+         for(i = 1; i <= 3; ++i) {
+           j = i % 3 + 1
+           k = j % 3 + 1
+           v += x[$2, i] * (x[$3, j] * x[$4, k] - x[$3, k] * x[$4, j])
+         }
+       }
+       END { printf "%.9g\n", v / 6 }' "$1"
+}
+
+# a tolerance with a guarantee for both directions and the volume, which is 4 / 3
+"$program" octahedron.off --tolerance 3% --reference flat --sharpness-angle 180 --both-directions --preserve-volume \
+  -o volume_ > stdout 2> stderr || fail "a tolerance, both directions and the volume"
+grep -q '^within the tolerance: ' stdout || fail "not within the tolerance with the volume"
+volume_of volume_optimized.off | awk '{ exit !(($1 - 4 / 3)^2 < 1e-12) }' ||
+  fail "the volume within a tolerance: $(volume_of volume_optimized.off)"
+
 # the input's attributes: colors and normals of a square, and the texture coordinates of a square
 # whose halves are apart in the texture
 cat > colors.ply <<'END'

@@ -37,9 +37,9 @@ struct Search_result
   int attempts = 0;
 };
 
-// the search alone, for a given error by edge length
-template <typename Error>
-Search_result search(double first, const Error& error)
+// the search alone, for a given error by edge length, and lengths for which the remesh is beyond the tolerance all the same
+template <typename Error, typename Is_unlucky>
+Search_result search(double first, const Error& error, const Is_unlucky& is_unlucky)
 {
   Edge_length_search search(first, 1e-4, 1, 0.02);
   Search_result result;
@@ -47,11 +47,18 @@ Search_result search(double first, const Error& error)
   {
     const double length = search.next_length(), e = error(length);
     CHECK(length >= 1e-4 && length <= 1);
-    if(e <= 1)
+    const bool is_within = e <= 1 && !is_unlucky(length);
+    if(is_within)
       result.edge_length = (std::max)(result.edge_length, length);
-    search.add({ length, e, e <= 1, static_cast<std::size_t>(1 / (length * length)) });
+    search.add({ length, e, is_within, static_cast<std::size_t>(1 / (length * length)) });
   }
   return result;
+}
+
+template <typename Error>
+Search_result search(double first, const Error& error)
+{
+  return search(first, error, [](double) { return false; });
 }
 
 inline void test_search()
@@ -74,6 +81,18 @@ inline void test_search()
     const Search_result result = search(0.08, noisy);
     CHECK_AT_LEAST(result.edge_length, 0.05 * 0.95); // the error there is 0.9 +- 0.045
     CHECK_AT_MOST(result.attempts, 8);
+  }
+
+  start_topic("Remeshes that are beyond the tolerance by bad luck");
+  const auto square = [](double h) { return std::pow(h / 0.05, 2); };
+  Search_result result = search(0.03, square, [](double h) { return h < 0.04; }); // longer ones have more luck
+  CHECK_AT_LEAST(result.edge_length, 0.05 / 1.02 * (1 - 1e-9));
+  CHECK_AT_MOST(result.attempts, 7);
+  for(double first : { 0.02, 0.04, 0.1 })
+  {
+    result = search(first, square, [](double h) { return h > 0.03; }); // shorter ones have
+    CHECK_AT_LEAST(result.edge_length, 0.015);
+    CHECK_AT_MOST(result.attempts, 12);
   }
 
   start_topic("Errors that are no power");

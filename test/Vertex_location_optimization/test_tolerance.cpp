@@ -9,6 +9,7 @@
 #include "Distance_to_mesh.h"
 #include "Exact_sphere.h"
 #include "mesh_quality.h"
+#include "refine_faces.h"
 #include "search_for_edge_length.h"
 #include "test_meshes.h"
 
@@ -27,14 +28,6 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 namespace params = CGAL::parameters;
 using PMP::internal::vertex_location::Edge_length_search;
 using Report = PMP::Tolerance_report;
-
-// The largest distance between the points of two meshes, measured by other means than the package's.
-double hausdorff_distance(const Mesh& a, const Mesh& b)
-{
-  const Distance_to_mesh to_a(a), to_b(b);
-  return (std::max)(measure_errors(a, 12, [&](const Point& p) { return to_b(p); }).max,
-                    measure_errors(b, 4, [&](const Point& p) { return to_a(p); }).max);
-}
 
 struct Counting_visitor : PMP::Tolerance_default_visitor
 {
@@ -328,6 +321,8 @@ void test_limits()
 int main()
 {
   test_search();
+  test_flips();
+  test_pulls();
   test_sphere();
   test_coarsest();
   test_creases();

@@ -53,9 +53,13 @@ namespace Polygon_mesh_processing {
  * The error is the distance to the faces of `input` as they are; the report has the values that `approximation_error()`
  * measured on the result. To use the smooth surface that `input` stands for instead, pass it as `reference_surface`.
  *
- * The largest distance is often that of a few spots only. If no more than a tenth of the faces of a remesh is beyond a
- * tolerated `MAXIMUM_ERROR` after the optimization, they are split at their longest sides and the remesh is optimized again:
- * a few vertices there save many elsewhere. The result can thus have more vertices than the remesher made.
+ * The largest distance is often that of some spots only. If no more than a fifth of the faces of a remesh are beyond a
+ * tolerated `MAXIMUM_ERROR` after the optimization, it is refined at the worst ones, and the faces around are optimized again,
+ * in up to 24 rounds: sides are flipped where that brings two faces closer to the reference, vertices that are beyond
+ * themselves go there, and other faces are split at the midpoints of their longest sides. No flip is made, and no vertex moved,
+ * so that faces intersect that did not before. Vertices in such spots save more elsewhere. The result thus has more vertices
+ * than the remesher made. If that fails, the search goes on with longer edge lengths all the same, and comes back to shorter
+ * ones at the end.
  *
  * No remesh is requested that would have more than four times as many faces as `input`, or 100000 if that is more. The
  * result is deterministic if the remesher is, and does not depend on the number of threads.
@@ -94,7 +98,8 @@ namespace Polygon_mesh_processing {
  *
  *   \cgalParamNBegin{edge_length_precision}
  *     \cgalParamDescription{The search ends when an edge length is known that is within the tolerance, and another one that
- *                           is not and larger by no more than this part.}
+ *                           is not and larger by no more than this part; after seven remeshings also if refined remeshes
+ *                           stay beyond the tolerance at lengths between.}
  *     \cgalParamType{a number type convertible to `double`}
  *     \cgalParamDefault{`0.02`}
  *   \cgalParamNEnd

@@ -91,15 +91,28 @@ inline Patch_foot in_first_face(const Remesh& remesh, const Patch_foot& foot)
   return { first / 3, { mu[1], mu[2] } };
 }
 
-// The faces with the vertices at `points`, for closest points; those of the surroundings follow.
+inline void add_faces(const Mesh_arrays& mesh, const std::vector<Point>& points, std::vector<Flat_triangle>& triangles)
+{
+  for(std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+    triangles.emplace_back(mesh.triangle(f, points));
+}
+
+// The faces of a mesh, for closest points.
+inline Patch_tree<Flat_triangle> make_face_tree(const Mesh_arrays& mesh)
+{
+  std::vector<Flat_triangle> triangles;
+  triangles.reserve(mesh.number_of_faces());
+  add_faces(mesh, mesh.points, triangles);
+  return Patch_tree<Flat_triangle>(std::move(triangles));
+}
+
+// The faces with the vertices at `points`; those of the surroundings follow.
 inline Patch_tree<Flat_triangle> make_face_tree(const Remesh& remesh, const std::vector<Point>& points)
 {
   std::vector<Flat_triangle> triangles;
   triangles.reserve(remesh.number_of_faces() + remesh.surroundings.number_of_faces());
-  for(std::size_t f = 0; f < remesh.number_of_faces(); ++f)
-    triangles.emplace_back(remesh.triangle(f, points));
-  for(std::size_t f = 0; f < remesh.surroundings.number_of_faces(); ++f)
-    triangles.emplace_back(remesh.surroundings.triangle(f));
+  add_faces(remesh, points, triangles);
+  add_faces(remesh.surroundings, remesh.surroundings.points, triangles);
   return Patch_tree<Flat_triangle>(std::move(triangles));
 }
 

@@ -28,13 +28,16 @@ struct Attempt
 {
   double edge_length;
   double error;   // relative to the tolerance; infinite: there is no mesh
-  bool is_within; // the tolerance
+  bool is_within; // the tolerance; perhaps not even if the error is, which can be one that leaves out a few spots
   std::size_t number_of_vertices;
 };
 
 // Looks for the largest edge length for which the error is within the tolerance. The error goes about with a power of the
 // edge length, and so the search is a secant method in logarithms, kept between a length that is within and one that is
 // not. It does not rely on that: of a remesher nothing is asked but that some lengths do.
+//
+// At first, a length whose error is small enough counts as within even if its remesh is not: that is bad luck, and a longer
+// one may have more. If the search ends with such a length, it goes on with what really is within, for a few more attempts.
 class Edge_length_search
 {
 public:
@@ -51,10 +54,21 @@ public:
   void add(const Attempt& attempt)
   {
     m_attempts.push_back(attempt);
+    update();
+    if(m_is_finished && m_relies_on_error && !longest_within_is_certain())
+    {
+      m_relies_on_error = false;
+      update();
+    }
+  }
+
+private:
+  void update()
+  {
     const Attempt* within = longest_within();
     const Attempt* beyond = shortest_beyond(within ? within->edge_length : 0);
     if(within && beyond)
-      m_is_finished = is_narrow(*within, *beyond);
+      m_is_finished = is_narrow(*within, *beyond) || (!m_relies_on_error && m_attempts.size() >= enough_attempts);
     else
       m_is_finished = (within ? within->edge_length >= m_longest : beyond->edge_length <= m_shortest) || is_unresponsive(3);
     if(m_is_finished)
@@ -63,17 +77,26 @@ public:
     m_next = std::clamp(next, m_shortest, m_longest);
   }
 
-private:
   static constexpr double expected_exponent = 2; // of the edge length, on a smooth surface
   static constexpr double least_exponent = 0.7;  // where creases are cut it is 1
   static constexpr double largest_exponent = 4;
   static constexpr double largest_factor = 3; // between the lengths of two attempts; of unresponsive ones its square
 
+  static constexpr std::size_t enough_attempts = 7; // where errors are a matter of luck; more seldom save much
+
+  bool counts_as_within(const Attempt& a) const { return m_relies_on_error ? a.error <= 1 : a.is_within; }
+
+  bool longest_within_is_certain() const
+  {
+    const Attempt* within = longest_within();
+    return within && within->is_within;
+  }
+
   const Attempt* longest_within() const
   {
     const Attempt* longest = nullptr;
     for(const Attempt& a : m_attempts)
-      if(a.is_within && (!longest || a.edge_length > longest->edge_length))
+      if(counts_as_within(a) && (!longest || a.edge_length > longest->edge_length))
         longest = &a;
     return longest;
   }
@@ -82,7 +105,7 @@ private:
   {
     const Attempt* shortest = nullptr;
     for(const Attempt& a : m_attempts)
-      if(!a.is_within && a.edge_length > length && (!shortest || a.edge_length < shortest->edge_length))
+      if(!counts_as_within(a) && a.edge_length > length && (!shortest || a.edge_length < shortest->edge_length))
         shortest = &a;
     return shortest;
   }
@@ -153,7 +176,7 @@ private:
   // how many of the last attempts were all within the tolerance, or all beyond
   std::size_t number_on_same_side() const
   {
-    const auto differs = [&](const Attempt& a) { return a.is_within != m_attempts.back().is_within; };
+    const auto differs = [&](const Attempt& a) { return counts_as_within(a) != counts_as_within(m_attempts.back()); };
     return std::find_if(m_attempts.rbegin(), m_attempts.rend(), differs) - m_attempts.rbegin();
   }
 
@@ -162,6 +185,7 @@ private:
   double m_shortest;
   double m_longest;
   double m_step;
+  bool m_relies_on_error = true;
   bool m_is_finished = false;
 };
 

@@ -19,7 +19,7 @@
 #include <CGAL/Polygon_mesh_processing/Flat_triangle_surface.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/named_parameters.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Tolerance/measure_deviations.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Tolerance/split_faces.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Tolerance/refine_spots.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Tolerance/Tolerance_setting.h>
 #include <CGAL/Polygon_mesh_processing/optimize_vertex_locations.h>
 #include <CGAL/Polygon_mesh_processing/Tolerance_report.h>
@@ -39,15 +39,14 @@ namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 template <typename ConcurrencyTag, typename TriangleMesh, typename Surface, typename NamedParameters, typename Visitor>
 class Remeshing_attempt
 {
-  // So many of the faces may be beyond the tolerance after the optimization, or eight: their longest sides are split, in so
-  // many rounds. The largest error of a remesh is that of one spot, which the next edge length may hit or not; a few more
-  // vertices there are worth more than a shorter edge length everywhere. With a larger part the remesh is less regular, and
-  // hardly smaller.
-  static constexpr double largest_part_to_refine = 0.1;
+  // So many of the faces may be beyond the tolerance after the optimization, or eight: sides of theirs are split, in rounds.
+  // The largest error of a remesh is that of some spots; a few more vertices there are worth more than a shorter edge length
+  // everywhere. With a larger part more vertices are added than the longer edges save, or there is no end.
+  static constexpr double largest_part_to_refine = 0.2;
   static constexpr std::size_t least_number_to_refine = 8;
   static constexpr double margin = 0.985; // of the tolerance: deviations are those of samples
-  static constexpr int largest_number_of_rounds = 8;
-  static constexpr int largest_number_in_vain = 3; // rounds, in which no fewer faces were beyond
+  static constexpr int largest_number_of_rounds = 24;
+  static constexpr int largest_number_in_vain = 4; // rounds, in which no fewer faces were beyond, and at least eight
 
   using Setting = Tolerance_setting<TriangleMesh, Surface>;
   using Edge_map = typename boost::property_map<TriangleMesh, dynamic_edge_property_t<bool>>::type;
@@ -79,13 +78,11 @@ public:
   const Tolerance_report& report() const { return m_report; }
 
   // The error that the search goes by, relative to the tolerance: not that of the few faces that may be refined, which
-  // differs much from length to length, unless refining them did not help.
+  // differs much from length to length.
   double typical_error() const
   {
-    const double error = tolerated_value(m_report, m_setting.kind);
-    const bool is_by_deviations =
-      m_setting.kind == MAXIMUM_ERROR && (m_report.is_within_tolerance || m_typical_deviation > m_setting.tolerance);
-    return (is_by_deviations ? m_typical_deviation : error) / m_setting.tolerance;
+    const double error = m_setting.kind == MAXIMUM_ERROR ? m_typical_deviation : tolerated_value(m_report, m_setting.kind);
+    return error / m_setting.tolerance;
   }
 
 private:
@@ -134,23 +131,36 @@ private:
     return faces(m_mesh).begin() != faces(m_mesh).end() && is_finite_triangle_mesh(m_mesh, get(vertex_point, m_mesh));
   }
 
-  void optimize()
+  void optimize() { optimize_vertex_locations<ConcurrencyTag>(m_mesh, m_setting.surface, named_parameters()); }
+
+  // Only some faces, so that what is within the tolerance elsewhere stays so; all, where the volume of all is to be kept.
+  void optimize_around(const std::vector<face_descriptor>& faces)
+  {
+    using parameters::choose_parameter;
+    using parameters::get_parameter;
+
+    if(choose_parameter(get_parameter(m_np, internal_np::preserve_volume), false))
+      optimize();
+    else
+      optimize_vertex_locations<ConcurrencyTag>(faces, m_mesh, m_setting.surface, named_parameters());
+  }
+
+  auto named_parameters() const
   {
     using parameters::choose_parameter;
     using parameters::get_parameter;
 
     const Placement_method method = choose_parameter(get_parameter(m_np, internal_np::placement_method), LEAST_SQUARES);
     const bool relax = choose_parameter(get_parameter(m_np, internal_np::relax_constraints), true);
-    const auto np = Named_parameters_with_method(method, m_np)
-                      .vertex_point_map(get(vertex_point, m_mesh))
-                      .edge_is_constrained_map(*m_is_constrained)
-                      .vertex_is_constrained_map(Static_boolean_property_map<vertex_descriptor, false>())
-                      .relax_constraints(relax)
-                      .visitor(std::ref(m_visitor));
-    optimize_vertex_locations<ConcurrencyTag>(m_mesh, m_setting.surface, np);
+    return Named_parameters_with_method(method, m_np)
+      .vertex_point_map(get(vertex_point, m_mesh))
+      .edge_is_constrained_map(*m_is_constrained)
+      .vertex_is_constrained_map(Static_boolean_property_map<vertex_descriptor, false>())
+      .relax_constraints(relax)
+      .visitor(std::ref(m_visitor));
   }
 
-  // Splits what is beyond the tolerance as long as it is little, and measures.
+  // Refines what is beyond the tolerance as long as it is little, and measures.
   void refine()
   {
     double limit = margin * m_setting.tolerance;
@@ -165,7 +175,7 @@ private:
       if(round == 0)
         m_typical_deviation = value_of_rank(deviations, largest_number);
 
-      std::vector<face_descriptor> faces_beyond = find_faces_beyond(limit, deviations, descriptors, m_mesh);
+      std::vector<std::size_t> faces_beyond = find_faces_beyond(limit, deviations);
       if(faces_beyond.empty())
       {
         measure();
@@ -173,18 +183,30 @@ private:
           return;
         // The deviations have missed something: less is tolerated of them.
         limit *= 0.99 * m_setting.tolerance / tolerated_value(m_report, m_setting.kind);
-        faces_beyond = find_faces_beyond(limit, deviations, descriptors, m_mesh);
+        faces_beyond = find_faces_beyond(limit, deviations);
+        least_number = (std::numeric_limits<std::size_t>::max)();
       }
-      rounds_in_vain = faces_beyond.size() < least_number ? 0 : rounds_in_vain + 1;
+      rounds_in_vain = faces_beyond.size() < (std::max)(least_number, least_number_to_refine) ? 0 : rounds_in_vain + 1;
       least_number = (std::min)(least_number, faces_beyond.size());
       if(round == largest_number_of_rounds || rounds_in_vain > largest_number_in_vain ||
          faces_beyond.size() > largest_number || !m_visitor.go_further())
         break;
-      split_longest_sides(faces_beyond, m_mesh, get(vertex_point, m_mesh), *m_is_constrained,
-                          access_reference(m_setting.surface));
-      optimize();
+      optimize_around(refine_spots(mesh, descriptors, faces_beyond, limit));
     }
     measure();
+  }
+
+  // returns the faces around the changes
+  std::vector<face_descriptor> refine_spots(const Mesh_arrays& mesh,
+                                            const Mesh_descriptors<TriangleMesh>& descriptors,
+                                            const std::vector<std::size_t>& faces_beyond,
+                                            double limit)
+  {
+    const auto& reference = access_reference(m_setting.surface);
+    const auto vpm = get(vertex_point, m_mesh);
+    return Spot_refinement<ConcurrencyTag, TriangleMesh, std::decay_t<decltype(vpm)>, Edge_map,
+                           std::decay_t<decltype(reference)>>(mesh, descriptors, reference, m_mesh, vpm, *m_is_constrained)
+      .refine(faces_beyond, limit);
   }
 
   static std::size_t number_to_refine(std::size_t number_of_faces)
@@ -198,18 +220,6 @@ private:
     const auto nth = values.begin() + (std::min)(rank, values.size() - 1);
     std::nth_element(values.begin(), nth, values.end(), std::greater<double>());
     return *nth;
-  }
-
-  static std::vector<face_descriptor> find_faces_beyond(double limit,
-                                                        const std::vector<double>& deviations,
-                                                        const Mesh_descriptors<TriangleMesh>& descriptors,
-                                                        const TriangleMesh& mesh)
-  {
-    std::vector<face_descriptor> result;
-    for(std::size_t f = 0; f < deviations.size(); ++f)
-      if(deviations[f] > limit)
-        result.push_back(face(descriptors.halfedges[f], mesh));
-    return result;
   }
 
   std::vector<double> measure_face_deviations(const Mesh_arrays& mesh) const

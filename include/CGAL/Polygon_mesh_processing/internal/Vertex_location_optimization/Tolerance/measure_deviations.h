@@ -19,6 +19,7 @@
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Measure/measure_error.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/Flat_triangle.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/Patch_tree.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Sampling/Area_samples.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/for_each_index.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/Mesh_arrays.h>
 
@@ -84,32 +85,19 @@ Reference_samples sample_reference(const Reference& reference,
   return { std::move(samples), number_of_extremes };
 }
 
-// the faces of a mesh to measure the distance to
-inline Patch_tree<Flat_triangle> make_face_tree(const Mesh_arrays& mesh)
-{
-  std::vector<Flat_triangle> triangles(mesh.number_of_faces());
-  for(std::size_t f = 0; f < triangles.size(); ++f)
-    triangles[f] = Flat_triangle(mesh.triangle(f));
-  return Patch_tree<Flat_triangle>(std::move(triangles));
-}
-
 // The face that a sample is closest to, and its distance.
 using Face_and_distance = std::pair<Index, double>;
 
 template <typename ConcurrencyTag>
 std::vector<Face_and_distance> measure_distances(const std::vector<Point>& samples, const Mesh_arrays& mesh)
 {
-  constexpr std::size_t block_size = 512;
   const Patch_tree<Flat_triangle> tree = make_face_tree(mesh);
   std::vector<Face_and_distance> distances(samples.size());
-  for_each_block<ConcurrencyTag>(samples.size(), block_size, [&](std::size_t begin, std::size_t end) {
-    Patch_foot foot;
-    for(std::size_t i = begin; i < end; ++i)
-    {
-      foot = tree.project(samples[i], foot.patch); // the next sample is near
+  project_to_faces<ConcurrencyTag>(
+    tree, samples.size(), [&](std::size_t i) -> const Point& { return samples[i]; },
+    [&](std::size_t i, const Patch_foot& foot) {
       distances[i] = { foot.patch, norm(samples[i] - tree.point(foot)) };
-    }
-  });
+    });
   return distances;
 }
 

@@ -45,24 +45,22 @@ auto find_longest_side(typename boost::graph_traits<TriangleMesh>::face_descript
   return longest;
 }
 
-// The point of the reference that takes the place of the midpoint of an edge: that of its crease if it is constrained and
-// one is near.
+// The point that splits an edge: that of the crease of the reference if the edge is constrained and one is near; else the
+// midpoint, so that the surface does not change and does not come to intersect itself. The fit that follows moves it.
 template <typename Reference>
 Point find_split_point(const Point& p, const Point& q, bool is_constrained, const Reference& reference)
 {
   const Point middle = midpoint(p, q);
-  if(!is_constrained)
-    return reference.point(reference.project(middle));
   const Feature_curves& curves = reference.feature_curves();
-  if(curves.empty())
+  if(!is_constrained || curves.empty())
     return middle;
   const Point on_curve = curves.point(curves.project(middle));
   return squared_distance(on_curve, middle) < squared_distance(p, q) / 16 ? on_curve : middle;
 }
 
-// Splits an edge, and the faces at it, in two. The halves are constrained if the edge is.
+// Splits an edge, and the faces at it, in two. The halves are constrained if the edge is. Returns the new vertex.
 template <typename TriangleMesh, typename VertexPointMap, typename EdgeIsConstrainedMap, typename Reference>
-void split_edge_and_faces(typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h,
+auto split_edge_and_faces(typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h,
                           TriangleMesh& mesh,
                           const VertexPointMap& vpm,
                           const EdgeIsConstrainedMap& is_constrained,
@@ -77,15 +75,17 @@ void split_edge_and_faces(typename boost::graph_traits<TriangleMesh>::halfedge_d
   for(auto g : { half, prev(opposite(half, mesh), mesh) })
     if(!is_border(g, mesh))
       put(is_constrained, edge(Euler::split_face(g, next(next(g, mesh), mesh), mesh), mesh), false);
+  return target(half, mesh);
 }
 
-// Splits the longest sides of the faces. The longest side of two of them is split once.
+// Splits the longest sides of the faces. The longest side of two of them is split once. Returns the vertices around.
 template <typename TriangleMesh, typename VertexPointMap, typename EdgeIsConstrainedMap, typename Reference>
-void split_longest_sides(const std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor>& faces,
-                         TriangleMesh& mesh,
-                         const VertexPointMap& vpm,
-                         const EdgeIsConstrainedMap& is_constrained,
-                         const Reference& reference)
+std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>
+split_longest_sides(const std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor>& faces,
+                    TriangleMesh& mesh,
+                    const VertexPointMap& vpm,
+                    const EdgeIsConstrainedMap& is_constrained,
+                    const Reference& reference)
 {
   std::vector<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor> sides;
   {
@@ -100,8 +100,15 @@ void split_longest_sides(const std::vector<typename boost::graph_traits<Triangle
       put(is_found, edge(h, mesh), true);
     }
   }
+  std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> around;
   for(auto h : sides)
-    split_edge_and_faces(h, mesh, vpm, is_constrained, reference);
+  {
+    const auto v = split_edge_and_faces(h, mesh, vpm, is_constrained, reference);
+    around.push_back(v);
+    for(auto g : halfedges_around_target(v, mesh))
+      around.push_back(source(g, mesh));
+  }
+  return around;
 }
 
 } // namespace CGAL::Polygon_mesh_processing::internal::vertex_location

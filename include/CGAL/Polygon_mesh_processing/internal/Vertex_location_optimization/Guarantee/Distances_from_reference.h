@@ -174,7 +174,7 @@ private:
   {
     constexpr std::size_t samples_per_face = 5, least = 8192, most = 49152; // they trade time for exactness
     const double area = m_reference.area();
-    if(!(area > 0))
+    if(!(area > 0) || m_remesh.number_of_faces() == 0)
       return;
     const std::size_t n = std::clamp(samples_per_face * m_remesh.number_of_faces(), least, most);
     m_samples.reserve(n);

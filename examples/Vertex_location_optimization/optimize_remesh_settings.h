@@ -103,7 +103,7 @@ inline boost::program_options::options_description describe_options(Settings& s)
     ("regularity-weight", po::value<double>()->notifier([&s](double weight) { s.regularity_weight = weight; }),
      "what the shape of the triangles counts in least squares; default: follows the mesh")
     ("both-directions", po::bool_switch(&s.guarantee_both_directions),
-     "let the distance from the input to the mesh not become larger either")
+     "let the distance from the input to the mesh not become larger either, as least squares and --tolerance always do")
     ("preserve-volume", po::bool_switch(&s.preserve_volume), "give a closed mesh the volume of the input")
     ("test-self-intersections", po::bool_switch(&s.test_self_intersections),
      "cause no new self-intersection; least squares never does")
@@ -214,6 +214,8 @@ inline bool read_settings(int argc, char* argv[], Settings& s)
     return false;
   }
   po::notify(values);
+  if(s.is_least_squares || values.count("tolerance"))
+    s.guarantee_both_directions = true; // as the functions have it by default
   if(s.format.empty())
     s.format = format_of(s.input);
   check_settings(s);

@@ -30,6 +30,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <stdexcept>
 #include <string>
 
@@ -327,8 +328,27 @@ void test_exceptions()
   }
 }
 
+// By rounding a plane may cross any number of sides of a narrow polygon.
+void test_cut_of_narrow_polygon()
+{
+  start_topic("A narrow polygon is cut");
+  using PMP::internal::vertex_location::Cut_triangle;
+  for(int number_of_corners : { 3, 8, 12, 13, 16 })
+  {
+    Cut_triangle polygon;
+    for(int k = 0; k < number_of_corners; ++k)
+      polygon.add({ double(k), 0, 0 });
+    const Cut_triangle outside = polygon.cut([](const auto& p) { return int(p.x()) % 2 == 0 ? 1. : -1.; });
+    const auto count = [](const Cut_triangle& t) { return std::distance(t.begin(), t.end()); };
+    CHECK_AT_MOST(number_of_corners, count(polygon) + count(outside));
+    for(const Cut_triangle& part : { polygon, outside })
+      CHECK_AT_MOST(count(part), 24);
+  }
+}
+
 int main()
 {
+  test_cut_of_narrow_polygon();
   test_reports();
   test_height_field();
   test_peaks_beside_creases();

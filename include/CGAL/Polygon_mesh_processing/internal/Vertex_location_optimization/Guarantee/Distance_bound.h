@@ -45,8 +45,8 @@ public:
   const Point* begin() const { return m_corners.data(); }
   const Point* end() const { return m_corners.data() + m_size; }
 
-  // Cuts off where height(p), a linear function, is positive, and returns that. A polygon that has too many corners is left
-  // as it is.
+  // Cuts off where height(p), a linear function, is positive, and returns that. A polygon that has so many corners that there
+  // might be no room is left as it is: by rounding a plane may cross all sides of a narrow one.
   template <typename Height>
   Cut_triangle cut(const Height& height)
   {
@@ -54,7 +54,7 @@ public:
     std::transform(begin(), end(), heights.begin(), height);
     const auto end_of_heights = heights.begin() + m_size;
     Cut_triangle inside, outside;
-    if(m_size == max_corners || std::none_of(heights.begin(), end_of_heights, [](double h) { return h > 0; }))
+    if(2 * m_size > max_corners || std::none_of(heights.begin(), end_of_heights, [](double h) { return h > 0; }))
       return outside;
     if(std::none_of(heights.begin(), end_of_heights, [](double h) { return h < 0; }))
     {
@@ -80,7 +80,7 @@ public:
   }
 
 private:
-  static constexpr int max_corners = 16;
+  static constexpr int max_corners = 24;
 
   std::array<Point, max_corners> m_corners;
   int m_size = 0;

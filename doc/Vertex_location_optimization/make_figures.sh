@@ -83,7 +83,7 @@ draw_tolerance()
   shift 3
   "$examples/optimize_remesh" "$CGAL_DATA_DIR/meshes/$model.off" --edge-length "$edge_length" --reference flat \
     --largest-color "$largest" --output "$work/alone_" | tee "$work/alone_log.txt"
-  "$examples/optimize_remesh" "$CGAL_DATA_DIR/meshes/$model.off" --tolerance 1% --reference flat --both-directions \
+  "$examples/optimize_remesh" "$CGAL_DATA_DIR/meshes/$model.off" --tolerance 1% --reference flat \
     --largest-color "$largest" --output "$work/within_" | tee "$work/within_log.txt"
   render "$work/alone_remesh_error.vtp" "$work/alone.png" largest="$largest" "$@"
   render "$work/within_optimized_error.vtp" "$work/within.png" largest="$largest" "$@"

@@ -16,7 +16,7 @@
 #include <CGAL/license/Vertex_location_optimization.h>
 
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Face_sampling.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Farthest_point.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/largest_distance.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Measure/Face_orientation.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Placement/Placement.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Remesh.h>

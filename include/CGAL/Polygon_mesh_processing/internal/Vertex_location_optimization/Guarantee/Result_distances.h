@@ -17,8 +17,8 @@
 
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Measure/Error_integral.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Face_sampling.h>
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Farthest_point.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Initial_quality.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/largest_distance.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Moves.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Measure/Face_orientation.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Remesh.h>

@@ -50,8 +50,7 @@ void test_defaults(const Input& input)
   CHECK(optimized(input.mesh, input.reference, least_squares) ==
         optimized(input.mesh, input.reference, least_squares.regularity_weight(std::optional<double>())));
   CHECK(optimized(regular, input.reference, least_squares) ==
-        optimized(regular, input.reference,
-                  least_squares.regularity_weight(0.19).convergence_threshold(3e-4).do_self_intersection_tests(true)));
+        optimized(regular, input.reference, least_squares.regularity_weight(0.19).do_self_intersection_tests(true)));
   CHECK(optimized(input.mesh, input.reference, parameters::default_values(), parameters::sharpness_angle(40)) == expected);
   CHECK(optimized(input.mesh, input.reference, parameters::default_values(),
                   parameters::vertex_point_map(input.reference.points())) == expected);
@@ -101,6 +100,25 @@ void test_numbers(const Input& input)
       CHECK_LESS(threshold * shortest, previous.displacement);
     }
   }
+
+  start_topic(
+    "convergence_threshold of LEAST_SQUARES: the smaller, the more iterations; by default the error is at its end");
+  const auto least_squares = parameters::placement_method(PMP::LEAST_SQUARES);
+  std::size_t last = 1;
+  for(double threshold : { 1e-1, 1e-2, 1e-3, 0. })
+  {
+    mesh = input.mesh;
+    report = PMP::optimize_vertex_locations(mesh, input.reference, least_squares.convergence_threshold(threshold));
+    CHECK_EQUAL(report.converged, threshold > 0);
+    CHECK_AT_MOST(last, report.iterations);
+    last = report.iterations;
+  }
+  const double error = report.final_error.mean;
+  mesh = input.mesh;
+  report = PMP::optimize_vertex_locations(mesh, input.reference, least_squares);
+  CHECK(report.converged);
+  CHECK_LESS(report.iterations, 30u);
+  CHECK_AT_MOST(report.final_error.mean, 1.02 * error);
 }
 
 void test_regularity(const Input& input)

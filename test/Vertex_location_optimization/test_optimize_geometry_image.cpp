@@ -198,7 +198,6 @@ void test_parameters()
                       optimized(image, sphere,
                                 params::placement_method(PMP::LEAST_SQUARES)
                                   .regularity_weight(std::optional<double>()) // that follows the mesh
-                                  .convergence_threshold(3e-4)
                                   .do_self_intersection_tests(true))
                         .image));
 

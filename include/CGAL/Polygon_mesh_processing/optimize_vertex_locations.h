@@ -110,7 +110,8 @@ namespace Polygon_mesh_processing {
  *                           With `LEAST_SQUARES`, the root mean square of the displacements along the normals of the
  *                           reference is compared instead.}
  *     \cgalParamType{a number type convertible to `double`}
- *     \cgalParamDefault{`1e-6`; with `LEAST_SQUARES` `3e-4`}
+ *     \cgalParamDefault{`1e-6`; with `LEAST_SQUARES` 5% of the mean distance at the barycenters of the faces, relative
+ *                       to the lengths of their edges, but not less than `1e-4`}
  *   \cgalParamNEnd
  *
  *   \cgalParamNBegin{placement_method}

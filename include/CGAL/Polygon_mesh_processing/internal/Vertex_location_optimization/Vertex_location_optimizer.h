@@ -79,7 +79,7 @@ private:
       m_remesh.next_points = m_remesh.points;
       return false;
     }
-    report_iteration(placement.step_size());
+    report_iteration(placement.has_settled());
     return true;
   }
 
@@ -168,9 +168,8 @@ private:
   }
 
   // Once the vertices have settled there is one more iteration, with exact samples.
-  void report_iteration(const double step_size)
+  void report_iteration(const bool settles)
   {
-    const bool settles = step_size <= m_options.convergence_threshold;
     m_report.converged = m_has_settled || (settles && iteration().is_last);
     m_has_settled = settles;
     m_report.displacement = m_remesh.largest_displacement();

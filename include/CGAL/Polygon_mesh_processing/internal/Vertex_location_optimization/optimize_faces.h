@@ -105,7 +105,8 @@ Vertex_location_optimization_report optimize_faces(PolygonMesh& pmesh,
   using vertex_descriptor = typename boost::graph_traits<PolygonMesh>::vertex_descriptor;
 
   Optimization_options options = read_options(np1);
-  const bool has_valid_options = options.convergence_threshold >= 0 && options.regularity_weight.value_or(0) >= 0;
+  const bool has_valid_options =
+    options.convergence_threshold.value_or(0) >= 0 && options.regularity_weight.value_or(0) >= 0;
   CGAL_precondition_msg(has_valid_options, "convergence_threshold and regularity_weight must not be negative.");
   if(!has_valid_options)
     return {};

@@ -63,8 +63,9 @@ Optimization_options read_options(const NamedParameters& np)
     choose_parameter(get_parameter(np, internal_np::number_of_free_iterations), options.number_of_free_iterations);
   options.number_of_relaxation_steps =
     choose_parameter(get_parameter(np, internal_np::number_of_relaxation_steps), std::optional<std::size_t>());
-  options.convergence_threshold =
-    to_double(choose_parameter(get_parameter(np, internal_np::convergence_threshold), options.convergence_threshold));
+  if(const std::optional<double> threshold =
+       to_optional_double(choose_parameter(get_parameter(np, internal_np::convergence_threshold), std::optional<double>())))
+    options.convergence_threshold = threshold;
   options.do_self_intersection_tests =
     choose_parameter(get_parameter(np, internal_np::do_self_intersection_tests), options.do_self_intersection_tests);
   options.regularity_weight =

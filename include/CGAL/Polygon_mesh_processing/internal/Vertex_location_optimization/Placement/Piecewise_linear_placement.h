@@ -59,6 +59,7 @@ class Piecewise_linear_placement : public Placement<Reference>
 public:
   Piecewise_linear_placement(const Reference& reference, Remesh& remesh, const Optimization_options& options)
     : Base(reference, remesh, Sample_set::MIDPOINT_LOCATIONS),
+      m_convergence_threshold(options.convergence_threshold.value()),
       m_number_of_relaxation_steps(options.number_of_relaxation_steps)
   {}
 
@@ -115,14 +116,14 @@ public:
       [&](std::size_t i) -> const Vector& { return m_samples.vertices.normal(i); });
   }
 
-  double step_size() override
+  bool has_settled() override
   {
-    double largest2 = 0;
+    double largest2 = 0; // displacement, relative to the lengths
     for(std::size_t i = 0; i < m_remesh.points.size(); ++i)
       if(m_remesh.next_points[i] != m_remesh.points[i])
         largest2 =
           (std::max)(largest2, squared_distance(m_remesh.next_points[i], m_remesh.points[i]) / square(m_remesh.lengths[i]));
-    return std::sqrt(largest2);
+    return std::sqrt(largest2) <= m_convergence_threshold;
   }
 
 private:
@@ -133,6 +134,7 @@ private:
     return { iteration.is_first_along_normals ? 0 : max_travel, max_distance, iteration.is_free };
   }
 
+  const double m_convergence_threshold;
   const std::optional<std::size_t> m_number_of_relaxation_steps;
   std::vector<double> m_regularity; // of M_0; empty if the user has chosen the springs
 };

@@ -28,7 +28,7 @@ namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 struct Optimization_options
 {
   Placement_method placement_method;
-  double convergence_threshold; // relative to the lengths of the edges
+  std::optional<double> convergence_threshold; // relative to the lengths of the edges; else the placement chooses it
   bool do_self_intersection_tests;
   std::size_t number_of_iterations = 30;
   std::size_t number_of_free_iterations = 20;
@@ -76,9 +76,9 @@ public:
   // moves the next points of a free iteration along the surface, as far as that is not done in `place()`
   virtual void relax() = 0;
 
-  // How far the vertices move, relative to the lengths of their edges, as far as the end of the iterations depends on it;
-  // called once in each iteration.
-  virtual double step_size() = 0;
+  // Whether the vertices have moved so little in this iteration that one more, with exact samples, suffices; called once in
+  // each iteration.
+  virtual bool has_settled() = 0;
 
   Remesh_samples<Reference>& samples() { return m_samples; }
 

@@ -72,7 +72,10 @@ public:
              box.xmax() + m_deviation, box.ymax() + m_deviation, box.zmax() + m_deviation };
   }
 
+  const std::array<Point, 3>& corners() const { return m_corners; }
+  double deviation() const { return m_deviation; } // from the flat triangle, at most
   double area() const { return norm(area_normal(m_corners[0], m_corners[1], m_corners[2])) / 2; } // of the flat triangle
+
   Point point(const Coordinates& x) const
   {
     const double u = x.u, v = x.v;

@@ -67,21 +67,36 @@ inline double closest_on_segment(const Point& p, const Point& q, const Point& x)
   return length2 > 0 ? (std::min)(1., (std::max)(0., ((x - p) * d) / length2)) : 0.;
 }
 
-// Coordinates of the projection of x to the plane of the triangle; not numbers if the triangle has no area.
-inline Coordinates project_to_plane(const std::array<Point, 3>& t, const Point& x)
+// The plane of a triangle.
+class Triangle_plane
 {
-  const Vector a = t[1] - t[0], b = t[2] - t[0], d = x - t[0];
-  const Vector n = cross_product(a, b);
-  const double n2 = n.squared_length();
-  if(!(n2 > 0))
-    return { std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN() };
-  return { (cross_product(d, b) * n) / n2, (cross_product(a, d) * n) / n2 };
-}
+public:
+  explicit Triangle_plane(const std::array<Point, 3>& t)
+    : m_corner(t[0]), m_a(t[1] - t[0]), m_b(t[2] - t[0]), m_normal(cross_product(m_a, m_b)),
+      m_normal2(m_normal.squared_length())
+  {}
 
-// Coordinates of the point of the triangle that is closest to x; any triangle, also one without an area.
-inline Coordinates closest_on_triangle(const std::array<Point, 3>& t, const Point& x)
+  // coordinates of the projection of x; not numbers if the triangle has no area
+  Coordinates project(const Point& x) const
+  {
+    if(!(m_normal2 > 0))
+      return { std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN() };
+    const Vector d = x - m_corner;
+    return { (cross_product(d, m_b) * m_normal) / m_normal2, (cross_product(m_a, d) * m_normal) / m_normal2 };
+  }
+
+private:
+  Point m_corner;
+  Vector m_a, m_b, m_normal;
+  double m_normal2;
+};
+
+inline Coordinates project_to_plane(const std::array<Point, 3>& t, const Point& x) { return Triangle_plane(t).project(x); }
+
+// Coordinates of the point of the triangle that is closest to x, which has a known projection to its plane; any triangle, also
+// one without an area.
+inline Coordinates closest_on_triangle(const std::array<Point, 3>& t, const Point& x, const Coordinates& projection)
 {
-  const Coordinates projection = project_to_plane(t, x);
   const auto [w, u, v] = projection.barycentric();
   if(u >= 0 && v >= 0 && w >= 0)
     return projection;
@@ -107,6 +122,11 @@ inline Coordinates closest_on_triangle(const std::array<Point, 3>& t, const Poin
     try_side({ 1 - s, s });
   }
   return best;
+}
+
+inline Coordinates closest_on_triangle(const std::array<Point, 3>& t, const Point& x)
+{
+  return closest_on_triangle(t, x, project_to_plane(t, x));
 }
 
 // Which sides of the triangle, opposite to its corners, are farther from its point x than sqrt(d2).

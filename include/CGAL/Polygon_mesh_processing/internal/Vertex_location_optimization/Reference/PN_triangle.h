@@ -67,7 +67,7 @@ public:
 
   Bbox_3 bbox() const
   {
-    const Bbox_3 box = m_corners[0].bbox() + m_corners[1].bbox() + m_corners[2].bbox();
+    const Bbox_3 box = bounding_box(m_corners);
     return { box.xmin() - m_deviation, box.ymin() - m_deviation, box.zmin() - m_deviation,
              box.xmax() + m_deviation, box.ymax() + m_deviation, box.zmax() + m_deviation };
   }

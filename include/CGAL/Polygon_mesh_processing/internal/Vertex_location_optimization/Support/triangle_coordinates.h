@@ -17,6 +17,8 @@
 
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/geometry.h>
 
+#include <CGAL/Bbox_3.h>
+
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -45,6 +47,14 @@ inline bool is_inside(const std::array<double, 3>& barycentric)
 inline Point point_at(const std::array<Point, 3>& t, const Coordinates& x)
 {
   return t[0] + (x.u * (t[1] - t[0]) + x.v * (t[2] - t[0]));
+}
+
+inline Bbox_3 bounding_box(const std::array<Point, 3>& t)
+{
+  const auto min = [](double a, double b, double c) { return (std::min)((std::min)(a, b), c); };
+  const auto max = [](double a, double b, double c) { return (std::max)((std::max)(a, b), c); };
+  return { min(t[0].x(), t[1].x(), t[2].x()), min(t[0].y(), t[1].y(), t[2].y()), min(t[0].z(), t[1].z(), t[2].z()),
+           max(t[0].x(), t[1].x(), t[2].x()), max(t[0].y(), t[1].y(), t[2].y()), max(t[0].z(), t[1].z(), t[2].z()) };
 }
 
 // Points of a triangle that are spread evenly, as many as one likes: those with consecutive numbers follow the additive

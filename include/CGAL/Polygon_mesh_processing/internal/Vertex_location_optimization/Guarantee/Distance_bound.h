@@ -19,6 +19,8 @@
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/geometry.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/triangle_coordinates.h>
 
+#include <boost/container/static_vector.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -31,7 +33,7 @@ namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 class Cut_triangle
 {
 public:
-  Cut_triangle() {} // nothing is initialized, which takes time
+  Cut_triangle() = default;
 
   explicit Cut_triangle(const std::array<Point, 3>& t)
   {
@@ -39,11 +41,11 @@ public:
       add(p);
   }
 
-  void add(const Point& p) { m_corners[m_size++] = p; }
+  void add(const Point& p) { m_corners.push_back(p); }
 
-  bool is_empty() const { return m_size == 0; }
+  bool is_empty() const { return m_corners.empty(); }
   const Point* begin() const { return m_corners.data(); }
-  const Point* end() const { return m_corners.data() + m_size; }
+  const Point* end() const { return m_corners.data() + m_corners.size(); }
 
   // Cuts off where height(p), a linear function, is positive, and returns that. A polygon that has so many corners that there
   // might be no room is left as it is: by rounding a plane may cross all sides of a narrow one.
@@ -52,9 +54,10 @@ public:
   {
     std::array<double, max_corners> heights;
     std::transform(begin(), end(), heights.begin(), height);
-    const auto end_of_heights = heights.begin() + m_size;
+    const std::size_t size = m_corners.size();
+    const auto end_of_heights = heights.begin() + size;
     Cut_triangle inside, outside;
-    if(2 * m_size > max_corners || std::none_of(heights.begin(), end_of_heights, [](double h) { return h > 0; }))
+    if(2 * size > max_corners || std::none_of(heights.begin(), end_of_heights, [](double h) { return h > 0; }))
       return outside;
     if(std::none_of(heights.begin(), end_of_heights, [](double h) { return h < 0; }))
     {
@@ -62,7 +65,7 @@ public:
       *this = inside;
       return outside;
     }
-    for(int i = 0, j = m_size - 1; i < m_size; j = i++)
+    for(std::size_t i = 0, j = size - 1; i < size; j = i++)
     {
       if((heights[j] < 0 && heights[i] > 0) || (heights[j] > 0 && heights[i] < 0))
       {
@@ -80,10 +83,9 @@ public:
   }
 
 private:
-  static constexpr int max_corners = 24;
+  static constexpr std::size_t max_corners = 24;
 
-  std::array<Point, max_corners> m_corners;
-  int m_size = 0;
+  boost::container::static_vector<Point, max_corners> m_corners;
 };
 
 // Bounds the distance that points of a triangle have from a remesh and its surroundings. The distance from a single face is a
@@ -109,28 +111,15 @@ public:
     return f < n ? m_remesh.triangle(f, m_points) : m_remesh.surroundings.triangle(f - n);
   }
 
-  double distance(const Point& p, const Index f) const
-  {
-    const std::array<Point, 3> t = face(f);
-    return std::sqrt(squared_distance(p, point_at(t, closest_on_triangle(t, p))));
-  }
-
   // Begins at face f and goes on where the distance is more than `enough`; appends the faces that it depends on.
   Result operator()(const std::array<Point, 3>& t, const Index f, const double enough, std::vector<Index>& faces) const
   {
     constexpr int max_cells = 96; // it bounds the time around vertices where the planes do not meet
-    Result result = farthest_corner(t, face(f));
-    if(result.distance <= enough)
+    Result result;
+    Cell cell{ Cut_triangle(t), f, no_index };
+    std::vector<Cell> cells; // the others
+    for(int number = 1;; ++number)
     {
-      faces.push_back(f);
-      return result;
-    }
-    result = {};
-    std::vector<Cell> cells{ { Cut_triangle(t), f, no_index } };
-    for(int number = 1; !cells.empty(); ++number)
-    {
-      Cell cell = cells.back();
-      cells.pop_back();
       const std::array<Point, 3> triangle = face(cell.face);
       Result farthest = farthest_corner(cell.polygon, triangle);
       if(farthest.distance > enough && number <= max_cells && cell.face < m_remesh.number_of_faces())
@@ -141,8 +130,11 @@ public:
       faces.push_back(cell.face);
       if(farthest.distance > result.distance)
         result = farthest;
+      if(cells.empty())
+        return result;
+      cell = cells.back();
+      cells.pop_back();
     }
-    return result;
   }
 
   // The corner opposite to the same edge on its other side; that of a diagonal, too, if its polygon has no other triangles there.
@@ -163,13 +155,13 @@ private:
     Index entrance; // the corner of the face that is opposite to the edge where the polygon was cut
   };
 
-  template <typename Points>
-  static Result farthest_corner(const Points& polygon, const std::array<Point, 3>& face)
+  static Result farthest_corner(const Cut_triangle& polygon, const std::array<Point, 3>& face)
   {
     Result result;
+    const Triangle_plane plane(face);
     for(const Point& p : polygon)
     {
-      const double distance2 = squared_distance(p, point_at(face, closest_on_triangle(face, p)));
+      const double distance2 = squared_distance(p, point_at(face, closest_on_triangle(face, p, plane.project(p))));
       if(distance2 > result.distance)
         result = { distance2, p };
     }

@@ -218,13 +218,16 @@ private:
     const std::array<int, 3>& c = part.corners;
     const double largest_at_corners = (std::max)({ samples[c[0]].distance, samples[c[1]].distance, samples[c[2]].distance });
     const double near = (std::min)(largest, near_by(largest_at_corners, radius(t)));
-    const int first = static_cast<int>(samples.size());
-    const std::array<int, 3> m{ { first, first + 1, first + 2 } }; // opposite to the corners
+    std::array<int, 3> m; // opposite to the corners
     for(int k = 0; k < 3; ++k)
     {
       const Sample &a = samples[c[(k + 1) % 3]], &b = samples[c[(k + 2) % 3]];
       const Coordinates middle{ (a.coordinates.u + b.coordinates.u) / 2, (a.coordinates.v + b.coordinates.v) / 2 };
-      samples.push_back(sample(t, middle, a.foot, near));
+      const auto is_there = [&](const Sample& s) { return s.coordinates.u == middle.u && s.coordinates.v == middle.v; };
+      const auto known = std::find_if(samples.begin(), samples.end(), is_there); // from the part on the other side
+      m[k] = static_cast<int>(known - samples.begin());
+      if(known == samples.end())
+        samples.push_back(sample(t, middle, a.foot, near));
     }
     std::array<Part, 4> children{ { { { { c[0], m[2], m[1] } }, 0, 0 },
                                     { { { m[2], c[1], m[0] } }, 0, 0 },

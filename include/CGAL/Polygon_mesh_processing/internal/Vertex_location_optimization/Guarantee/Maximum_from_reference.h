@@ -109,12 +109,16 @@ public:
     for(const Doubt& doubt : m_doubts)
       if(is_known(doubt))
         bounds[doubt.patch] = (std::min)(bounds[doubt.patch], doubt.bound);
-    for_each_index<ConcurrencyTag>(bounds.size(), [&](std::size_t i) {
-      if(!(bounds[i] > search.above(known)))
-        return;
-      Index face = m_initial.face(i);
+    constexpr std::size_t block_size = 64;
+    for_each_block<ConcurrencyTag>(bounds.size(), block_size, [&](std::size_t begin, std::size_t end) {
       Indices faces;
-      bounds[i] = (std::min)(bounds[i], bound(i, face, known, search.above(known), faces));
+      for(std::size_t i = begin; i < end; ++i)
+        if(bounds[i] > search.above(known))
+        {
+          Index face = m_initial.face(i);
+          faces.clear();
+          bounds[i] = (std::min)(bounds[i], bound(i, face, known, search.above(known), faces));
+        }
     });
     return largest(search, bounds, known);
   }

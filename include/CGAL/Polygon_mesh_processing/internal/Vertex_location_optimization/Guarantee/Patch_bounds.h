@@ -25,6 +25,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -44,54 +45,53 @@ public:
     : m_reference(reference), m_remesh(remesh), m_points(points), m_bound(remesh, points), m_tree(tree)
   {}
 
-  // Begins at `face`, which becomes one that is close to the patch. A bound of `enough` need not be better, one beyond `limit`
-  // is tried to avoid. Appends the faces that the bound depends on.
+  // Begins at `face`, which becomes one that is close to the patch. A bound of `enough` need not be better; where the center
+  // seems to be beyond `limit` the closest face is searched for. Appends the faces that the bound depends on.
   float
   operator()(const std::size_t i, Index& face, const double enough, const double limit, std::vector<Index>& faces) const
   {
     const Index patch = static_cast<Index>(i);
     const Piece_of_patch piece = whole_patch(m_reference, patch);
-    const Point center = piece.center();
-    const double sag_of_patch = sag(m_reference, patch, piece);
-    if(face != no_index)
+    const double sag_of_patch = m_reference.patch(patch).deviation();
+    const double bound = distance(piece.center(), face, limit) + piece.radius() + sag_of_patch; // none is steeper than one
+    if(bound <= enough)
     {
-      face = approach(center, face);
-      const double bound = m_bound.distance(center, face) + piece.radius() + sag_of_patch; // none is steeper than one
-      if(bound <= enough)
-      {
-        faces.push_back(face);
-        return rounded_up(bound);
-      }
+      faces.push_back(face);
+      return rounded_up(bound);
     }
-    const auto bound_from = [&](const Index f) {
-      return rounded_up(m_bound(piece.corners, f, enough - sag_of_patch, faces).distance + sag_of_patch);
-    };
-    const std::size_t size = faces.size();
-    const float bound = face == no_index ? std::numeric_limits<float>::infinity() : bound_from(face);
-    if(bound <= limit || m_tree == nullptr)
-      return bound;
-    faces.resize(size);
-    face = m_tree->project(center, face).patch;
-    return bound_from(face);
+    return rounded_up(m_bound(piece.corners, face, enough - sag_of_patch, faces).distance + sag_of_patch);
   }
 
   const Distance_bound& of_triangle() const { return m_bound; }
 
 private:
-  // The face to which going from face f straight to p leads, as if the remesh were flat.
-  Index approach(const Point& p, Index f) const
+  // from a face that is close to p, which `face` becomes
+  double distance(const Point& p, Index& face, const double limit) const
+  {
+    const double approached = face == no_index ? std::numeric_limits<double>::infinity() : approach(p, face);
+    if(approached <= limit || m_tree == nullptr)
+      return approached;
+    const Patch_foot foot = m_tree->project(p, face);
+    face = foot.patch;
+    return std::sqrt(squared_distance(p, m_tree->point(foot)));
+  }
+
+  // Goes from face f straight to p, as if the remesh were flat; returns how far p is from the face where that ends.
+  double approach(const Point& p, Index& f) const
   {
     constexpr int max_steps = 8; // it bounds the time where that leads nowhere
-    for(int step = 0; step < max_steps && f < m_remesh.number_of_faces(); ++step)
+    for(int step = 0;; ++step)
     {
-      const std::array<double, 3> lambda = project_to_plane(m_remesh.triangle(f, m_points), p).barycentric();
+      const std::array<Point, 3> t = m_bound.face(f);
+      const Coordinates projection = project_to_plane(t, p);
+      const std::array<double, 3> lambda = projection.barycentric();
       const auto k = std::min_element(lambda.begin(), lambda.end()) - lambda.begin();
-      const Index across = lambda[k] < 0 ? m_bound.corner_across(3 * f + static_cast<Index>(k)) : no_index;
+      const bool goes_on = step < max_steps && f < m_remesh.number_of_faces() && lambda[k] < 0;
+      const Index across = goes_on ? m_bound.corner_across(3 * f + static_cast<Index>(k)) : no_index;
       if(across == no_index)
-        break;
+        return std::sqrt(squared_distance(p, point_at(t, closest_on_triangle(t, p, projection))));
       f = across / 3;
     }
-    return f;
   }
 
   const Reference& m_reference;

@@ -65,7 +65,7 @@ Piece_of_patch piece_of_patch(const Reference& reference, const Index patch, con
 template <typename Reference>
 Piece_of_patch whole_patch(const Reference& reference, const Index patch)
 {
-  return piece_of_patch(reference, patch, { { { 0, 0 }, { 1, 0 }, { 0, 1 } } });
+  return { { { { 0, 0 }, { 1, 0 }, { 0, 1 } } }, reference.patch(patch).corners() };
 }
 
 // How far a piece of a patch is from the flat triangle at most.

@@ -31,7 +31,9 @@ public:
   Flat_triangle() = default;
   explicit Flat_triangle(const std::array<Point, 3>& corners) : m_corners(corners) {}
 
-  Bbox_3 bbox() const { return m_corners[0].bbox() + m_corners[1].bbox() + m_corners[2].bbox(); }
+  Bbox_3 bbox() const { return bounding_box(m_corners); }
+  const std::array<Point, 3>& corners() const { return m_corners; }
+  double deviation() const { return 0; }
   double area() const { return norm(area_normal(m_corners[0], m_corners[1], m_corners[2])) / 2; }
   Point point(const Coordinates& x) const { return point_at(m_corners, x); }
   Vector normal(const Coordinates&) const { return normalized(area_normal(m_corners[0], m_corners[1], m_corners[2])); }

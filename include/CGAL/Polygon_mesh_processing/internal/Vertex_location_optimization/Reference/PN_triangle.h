@@ -67,12 +67,15 @@ public:
 
   Bbox_3 bbox() const
   {
-    const Bbox_3 box = m_corners[0].bbox() + m_corners[1].bbox() + m_corners[2].bbox();
+    const Bbox_3 box = bounding_box(m_corners);
     return { box.xmin() - m_deviation, box.ymin() - m_deviation, box.zmin() - m_deviation,
              box.xmax() + m_deviation, box.ymax() + m_deviation, box.zmax() + m_deviation };
   }
 
+  const std::array<Point, 3>& corners() const { return m_corners; }
+  double deviation() const { return m_deviation; } // from the flat triangle, at most
   double area() const { return norm(area_normal(m_corners[0], m_corners[1], m_corners[2])) / 2; } // of the flat triangle
+
   Point point(const Coordinates& x) const
   {
     const double u = x.u, v = x.v;

@@ -17,6 +17,8 @@
 
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/geometry.h>
 
+#include <CGAL/Bbox_3.h>
+
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -47,6 +49,14 @@ inline Point point_at(const std::array<Point, 3>& t, const Coordinates& x)
   return t[0] + (x.u * (t[1] - t[0]) + x.v * (t[2] - t[0]));
 }
 
+inline Bbox_3 bounding_box(const std::array<Point, 3>& t)
+{
+  const auto min = [](double a, double b, double c) { return (std::min)((std::min)(a, b), c); };
+  const auto max = [](double a, double b, double c) { return (std::max)((std::max)(a, b), c); };
+  return { min(t[0].x(), t[1].x(), t[2].x()), min(t[0].y(), t[1].y(), t[2].y()), min(t[0].z(), t[1].z(), t[2].z()),
+           max(t[0].x(), t[1].x(), t[2].x()), max(t[0].y(), t[1].y(), t[2].y()), max(t[0].z(), t[1].z(), t[2].z()) };
+}
+
 // Points of a triangle that are spread evenly, as many as one likes: those with consecutive numbers follow the additive
 // recurrence by powers of the plastic number, of low discrepancy.
 inline Coordinates low_discrepancy_coordinates(const std::size_t number)
@@ -67,21 +77,36 @@ inline double closest_on_segment(const Point& p, const Point& q, const Point& x)
   return length2 > 0 ? (std::min)(1., (std::max)(0., ((x - p) * d) / length2)) : 0.;
 }
 
-// Coordinates of the projection of x to the plane of the triangle; not numbers if the triangle has no area.
-inline Coordinates project_to_plane(const std::array<Point, 3>& t, const Point& x)
+// The plane of a triangle.
+class Triangle_plane
 {
-  const Vector a = t[1] - t[0], b = t[2] - t[0], d = x - t[0];
-  const Vector n = cross_product(a, b);
-  const double n2 = n.squared_length();
-  if(!(n2 > 0))
-    return { std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN() };
-  return { (cross_product(d, b) * n) / n2, (cross_product(a, d) * n) / n2 };
-}
+public:
+  explicit Triangle_plane(const std::array<Point, 3>& t)
+    : m_corner(t[0]), m_a(t[1] - t[0]), m_b(t[2] - t[0]), m_normal(cross_product(m_a, m_b)),
+      m_normal2(m_normal.squared_length())
+  {}
 
-// Coordinates of the point of the triangle that is closest to x; any triangle, also one without an area.
-inline Coordinates closest_on_triangle(const std::array<Point, 3>& t, const Point& x)
+  // coordinates of the projection of x; not numbers if the triangle has no area
+  Coordinates project(const Point& x) const
+  {
+    if(!(m_normal2 > 0))
+      return { std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN() };
+    const Vector d = x - m_corner;
+    return { (cross_product(d, m_b) * m_normal) / m_normal2, (cross_product(m_a, d) * m_normal) / m_normal2 };
+  }
+
+private:
+  Point m_corner;
+  Vector m_a, m_b, m_normal;
+  double m_normal2;
+};
+
+inline Coordinates project_to_plane(const std::array<Point, 3>& t, const Point& x) { return Triangle_plane(t).project(x); }
+
+// Coordinates of the point of the triangle that is closest to x, which has a known projection to its plane; any triangle, also
+// one without an area.
+inline Coordinates closest_on_triangle(const std::array<Point, 3>& t, const Point& x, const Coordinates& projection)
 {
-  const Coordinates projection = project_to_plane(t, x);
   const auto [w, u, v] = projection.barycentric();
   if(u >= 0 && v >= 0 && w >= 0)
     return projection;
@@ -107,6 +132,11 @@ inline Coordinates closest_on_triangle(const std::array<Point, 3>& t, const Poin
     try_side({ 1 - s, s });
   }
   return best;
+}
+
+inline Coordinates closest_on_triangle(const std::array<Point, 3>& t, const Point& x)
+{
+  return closest_on_triangle(t, x, project_to_plane(t, x));
 }
 
 // Which sides of the triangle, opposite to its corners, are farther from its point x than sqrt(d2).

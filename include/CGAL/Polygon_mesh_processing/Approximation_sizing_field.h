@@ -44,15 +44,16 @@ namespace Polygon_mesh_processing {
 /*!
  * \ingroup PkgVertexLocationOptimizationRef
  *
- * \brief The class `Approximation_sizing_field` gives `isotropic_remeshing()` the edge lengths with which a number of
- *        vertices approximates a surface best: small where it is curved.
+ * \brief The class `Approximation_sizing_field` gives `isotropic_remeshing()` the edge lengths with which a given number of
+ *        vertices approximates a surface best: short where it is curved.
  *
- * The best edge length goes with a power of the larger principal curvature: -1/4 for the least mean error, -1/3 for the root
- * mean square, -1/2 for the maximum. It does not change faster than the `gradation` allows, so that the triangles can be
- * nearly equilateral. The curvatures are those of the mesh at construction, from normals that stop at creases; a vertex has
- * the edge length of the point closest to it on the mesh as it was then, wherever the remeshing moves it.
+ * The best edge length is proportional to a power of the larger principal curvature: -1/4 for the smallest mean error, -1/3
+ * for the root mean square, -1/2 for the maximum. It does not change faster than `gradation` allows, so that the triangles
+ * can be nearly equilateral. The curvatures are those of the mesh at construction, computed from normals that are not
+ * averaged across creases. During the remeshing, the edge length at a vertex is that of the closest point of the mesh at
+ * construction.
  *
- * It is available with \cgal 6.0 and later only: `isotropic_remeshing()` of older versions takes no sizing field.
+ * The class is available with \cgal 6.0 and later only: `isotropic_remeshing()` of older versions takes no sizing field.
  *
  * The construction takes \cgalBigO{n \log n} time for \f$ n \f$ vertices.
  *
@@ -78,35 +79,35 @@ public:
    * \brief constructs the field for about `number_of_vertices` vertices.
    *
    * \param number_of_vertices the number of vertices that the remesh should have
-   * \param pmesh the triangle mesh that is to be remeshed. The field must not live longer.
+   * \param pmesh the triangle mesh that is to be remeshed. It must outlive the field.
    * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
    *
    * \cgalNamedParamsBegin
    *   \cgalParamNBegin{tolerated_error}
-   *     \cgalParamDescription{the error that should be small}
+   *     \cgalParamDescription{the error that is minimized}
    *     \cgalParamType{`Tolerated_error`}
    *     \cgalParamDefault{`MEAN_ERROR`}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{gradation}
-   *     \cgalParamDescription{how much the edge length grows at most from one point to another, relative to their distance}
+   *     \cgalParamDescription{the largest growth of the edge length from one point to another, relative to their distance}
    *     \cgalParamType{a number type convertible to `double`}
    *     \cgalParamDefault{`0.5`}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{edge_is_constrained_map}
-   *     \cgalParamDescription{a property map containing the constrained-or-not status of each edge of `pmesh`: the creases}
+   *     \cgalParamDescription{a property map containing the crease-or-not status of each edge of `pmesh`}
    *     \cgalParamType{a class model of `ReadablePropertyMap` with
    *                    `boost::graph_traits<PolygonMesh>::%edge_descriptor` as key type and `bool` as value type}
    *     \cgalParamDefault{the edges that are sharper than `sharpness_angle`}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{sharpness_angle}
-   *     \cgalParamDescription{the angle between the normals of two faces, in degrees, from which on the edge between them
-   *                           is a crease}
+   *     \cgalParamDescription{the angle between the normals of two faces, in degrees, above which the edge between them is a
+   *                           crease}
    *     \cgalParamType{a number type convertible to `double`}
    *     \cgalParamDefault{`40`}
    *   \cgalParamNEnd
    * \cgalNamedParamsEnd
    *
-   * \pre `CGAL::is_triangle_mesh(pmesh)`, all coordinates are finite, and it has an area
+   * \pre `CGAL::is_triangle_mesh(pmesh)`, all coordinates are finite, and the area is positive
    * \pre `number_of_vertices` and `gradation` are positive
    */
   template <typename NamedParameters = parameters::Default_named_parameters>
@@ -139,8 +140,8 @@ public:
   }
 
   /*!
-   * returns about how many vertices `isotropic_remeshing()` makes with a uniform edge length: with this number a field takes
-   * the place of that length, for example in `remesh_within_tolerance()`.
+   * returns approximately how many vertices `isotropic_remeshing()` makes with a uniform edge length. A field with this
+   * number of vertices can replace that edge length, for example in `remesh_within_tolerance()`.
    */
   static std::size_t number_of_vertices(double edge_length, const PolygonMesh& pmesh)
   {

@@ -30,11 +30,11 @@ namespace Polygon_mesh_processing {
  * \brief The class `Flat_triangle_surface` is the piecewise linear surface of a polygon mesh.
  *
  * It is the reference surface for dense scans, whose triangles are much smaller than those of the remesh, and for
- * parts with planar faces. Its normals are those of the faces. A face with more than three corners is triangulated, on a
- * copy, as `triangulate_faces()` does.
+ * parts with planar faces. Its normals are those of the faces. Faces with more than three corners are triangulated on a
+ * copy, in the same way as by `triangulate_faces()`.
  *
- * It is a copy, which several threads can use at the same time, and takes as long as `PN_triangle_surface` to construct and
- * to project to.
+ * The surface does not refer to the mesh after construction, and several threads can use it at the same time. The
+ * construction and a projection take as long as with `PN_triangle_surface`.
  *
  * \tparam PolygonMesh a model of `VertexListGraph`, `EdgeListGraph`, and `FaceListGraph`
  * \tparam GeomTraits a model of `Kernel`, whose points the surface receives and returns. The computations are done in
@@ -66,8 +66,8 @@ public:
    * The parameters are those of the constructor of `PN_triangle_surface`. Creases do not change this surface; they are what
    * `optimize_vertex_locations()` fits constrained edges to if its parameter `relax_constraints` is `true`.
    *
-   * \pre No face has less than three corners, or more and a vertex twice, and all coordinates are finite. Otherwise the
-   *      surface is empty.
+   * \pre No face has fewer than three corners, or more than three with a repeated vertex, and all coordinates are finite.
+   *      Otherwise the surface is empty.
    */
   template <typename NamedParameters = parameters::Default_named_parameters, typename ConcurrencyTag = Sequential_tag>
   explicit Flat_triangle_surface(const PolygonMesh& pmesh,
@@ -126,8 +126,8 @@ public:
 
   /*!
    * returns the location of a foot in the mesh that the surface was made from: the face, and the barycentric coordinates in
-   * it, in the order of `PMP::Face_location`, which begins with the source of the halfedge of the face. The point there is that
-   * of the foot.
+   * it, in the order of `PMP::Face_location`, which begins with the source of the halfedge of the face. The point at this
+   * location is the foot.
    */
   Face_location<PolygonMesh, double> location(const Foot& foot) const;
 

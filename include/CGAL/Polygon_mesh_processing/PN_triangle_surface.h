@@ -31,28 +31,29 @@ namespace Polygon_mesh_processing {
  *
  * Each face of the mesh carries a curved PN triangle \cgalCite{vpbm2001}: a cubic Bézier triangle that interpolates the
  * vertices and, as far as they agree, is orthogonal to the normals there, and a quadratic interpolation of the normals.
- * Normals stop at creases and borders. Both sides of a crease share its curve, so that the surface has no gap.
+ * Normals are not averaged across creases. Both sides of a crease share the curve along it, so that the surface has no gaps.
  *
- * The normal at a vertex is first an average over the facets around it, that is, over coplanar faces as one, weighted by
- * their angles; facets less than half as large as the largest one count less. A few sweeps then correct it such that
- * each edge makes the same angle with the surface at both of its ends, which holds on every quadric surface. So the normals
- * at the seam of a plane and a fillet are those of the plane, and it does not matter how a facet is triangulated.
+ * Coplanar faces form one facet. The normal at a vertex is initially the average of the normals of the facets around it,
+ * weighted by their angles; facets less than half as large as the largest one count less. A few sweeps then correct the
+ * normals such that each edge makes the same angle with the surface at both of its ends, as it does on every quadric
+ * surface. The normals where a plane meets a fillet are thus those of the plane, and the triangulation of a facet does not
+ * matter.
  *
- * Where the normals do not tell a consistent curved patch the surface follows the edges of the mesh. The curve over an edge
- * leaves it at one end at most three times as far as at the other, leaves it only if the surface bends beyond one of its
- * ends as well, and no farther than if the edge was four times as long as the one that continues it. Planes, chamfers, the
- * rulings of cones, and flat sheets with a curved border therefore stay as they are.
+ * Where the normals do not define a consistent curved patch, the surface follows the edges of the mesh. The curve over an
+ * edge deviates from the edge only if the surface also bends beyond one of its ends. The deviation at one end is at most
+ * three times that at the other, and at most that of an edge four times as long as the one that continues it. Planes,
+ * chamfers, the rulings of cones, and flat sheets with a curved border therefore remain unchanged.
  *
  * No point of the surface is farther from the face it belongs to than
  * \f$ \frac{2}{3} l \sin \alpha \f$, where \f$ l \f$ is the length of the longest edge of the face and \f$ \alpha \f$ the
  * largest angle between the face and the tangent planes at its vertices.
  *
- * A face with more than three corners is triangulated first, on a copy, as `triangulate_faces()` does.
+ * Faces with more than three corners are first triangulated on a copy, in the same way as by `triangulate_faces()`.
  *
- * The surface is a copy: it neither refers to the mesh nor changes with it. Once constructed it can be used by several
- * threads at the same time.
+ * The surface neither refers to the mesh after construction nor changes with it. Several threads can use it at the same
+ * time.
  *
- * The construction takes \cgalBigO{n \log n} time for \f$ n \f$ faces, and a projection \cgalBigO{\log n} where the
+ * The construction takes \cgalBigO{n \log n} time for \f$ n \f$ faces, and a projection takes \cgalBigO{\log n} time if the
  * query point is near the surface.
  *
  * \tparam PolygonMesh a model of `VertexListGraph`, `EdgeListGraph`, and `FaceListGraph`
@@ -102,7 +103,8 @@ public:
    *     \cgalParamType{a class model of `ReadablePropertyMap` with
    *                    `boost::graph_traits<PolygonMesh>::%edge_descriptor` as key type and `bool` as value type}
    *     \cgalParamDefault{the edges sharper than `sharpness_angle` are creases}
-   *     \cgalParamExtra{If both this map and `sharpness_angle` are given, an edge is a crease if one of them says so.}
+   *     \cgalParamExtra{If both this map and `sharpness_angle` are given, an edge is a crease if it meets one of the two
+   *                     criteria.}
    *   \cgalParamNEnd
    *
    *   \cgalParamNBegin{sharpness_angle}
@@ -112,8 +114,8 @@ public:
    *   \cgalParamNEnd
    * \cgalNamedParamsEnd
    *
-   * \pre No face has less than three corners, or more and a vertex twice, and all coordinates are finite. Otherwise the
-   *      surface is empty.
+   * \pre No face has fewer than three corners, or more than three with a repeated vertex, and all coordinates are finite.
+   *      Otherwise the surface is empty.
    */
   template <typename NamedParameters = parameters::Default_named_parameters, typename ConcurrencyTag = Sequential_tag>
   explicit PN_triangle_surface(const PolygonMesh& pmesh,
@@ -172,10 +174,10 @@ public:
 
   /*!
    * returns the location of a foot in the mesh that the surface was made from: the face, and the barycentric coordinates in
-   * it, in the order of `PMP::Face_location`, which begins with the source of the halfedge of the face. The point of the surface
-   * is not that of the face with these coordinates but lies above or below it.
+   * it, in the order of `PMP::Face_location`, which begins with the source of the halfedge of the face. The point of the
+   * face with these coordinates is not on the surface, but below or above the foot.
    *
-   * \pre the face is a triangle: others have no barycentric coordinates
+   * \pre the face is a triangle, as other faces have no barycentric coordinates
    */
   Face_location<PolygonMesh, double> location(const Foot& foot) const;
 

@@ -23,17 +23,18 @@ namespace Polygon_mesh_processing {
  *
  * \brief How `CGAL::Polygon_mesh_processing::optimize_vertex_locations()` places a vertex among its samples.
  *
- * The placement of the package Triangulated Surface Mesh Simplification is another one: that of the vertex which a
- * collapsed edge becomes.
+ * This is unrelated to the placement of the package Triangulated Surface Mesh Simplification, which positions the vertex
+ * that replaces a collapsed edge.
  */
 enum Placement_method
 {
   /// the paper's method: the piecewise linear surface closest to samples of the reference at the vertices and at the
   /// midpoints of the edges, with springs that keep the triangles regular
   PIECEWISE_LINEAR,
-  /// a point-to-plane least squares fit to samples of both surfaces, with the regularity as a term of the fit. Samples of
-  /// the reference bring back thin parts and creases that the remesh misses. Only `PN_triangle_surface` and
-  /// `Flat_triangle_surface` are sampled; with another model of `ReferenceSurface` the fit sees the remesh's samples alone.
+  /// a point-to-plane least squares fit to samples of both surfaces, with a term for the regularity of the triangles.
+  /// Samples of the reference recover thin parts and creases that the remesh misses. Only `PN_triangle_surface` and
+  /// `Flat_triangle_surface` are sampled; with another model of `ReferenceSurface`, the fit uses the samples of the remesh
+  /// alone.
   LEAST_SQUARES
 };
 

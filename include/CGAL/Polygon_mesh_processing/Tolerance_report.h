@@ -27,12 +27,12 @@ namespace Polygon_mesh_processing {
 /*!
  * \ingroup PkgVertexLocationOptimizationRef
  *
- * \brief Which error `CGAL::Polygon_mesh_processing::remesh_within_tolerance()` keeps within the tolerance: the larger one of
- *        the two directions, from the remesh to the reference and back.
+ * \brief The error that `CGAL::Polygon_mesh_processing::remesh_within_tolerance()` keeps within the tolerance, in both
+ *        directions, from the remesh to the reference and back.
  */
 enum Tolerated_error
 {
-  /// the largest distance: the Hausdorff distance of the two surfaces
+  /// the largest distance: the Hausdorff distance between the two surfaces
   MAXIMUM_ERROR,
   /// the mean of the distance
   MEAN_ERROR,
@@ -43,7 +43,7 @@ enum Tolerated_error
 /*!
  * \ingroup PkgVertexLocationOptimizationRef
  *
- * \brief What `CGAL::Polygon_mesh_processing::remesh_within_tolerance()` has found, in the unit of the input.
+ * \brief The result of `CGAL::Polygon_mesh_processing::remesh_within_tolerance()`, in the unit of the input.
  */
 struct Tolerance_report
 {
@@ -81,7 +81,7 @@ struct Tolerance_default_visitor : Vertex_location_optimization_default_visitor
   /// is called before each remeshing with the edge length that the remesher will be given.
   void start_remeshing(double) {}
 
-  /// is called when a remesh has been optimized and measured, with the report of it.
+  /// is called when a remesh has been optimized and measured, with its report.
   void end_remeshing(const Tolerance_report&) {}
 };
 

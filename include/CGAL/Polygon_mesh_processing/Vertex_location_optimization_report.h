@@ -38,7 +38,7 @@ enum class Reference_surface_kind
 /*!
  * \ingroup PkgVertexLocationOptimizationRef
  *
- * \brief What a remesh was compared with, and how far that is from the faces of the mesh it was made of.
+ * \brief The reference surface that a remesh was fitted to, and its deviation from the faces of the mesh it was made from.
  *
  * The deviation is measured at the midpoints of the edges and the barycenters of the faces, in the unit of the input.
  */
@@ -57,7 +57,7 @@ struct Reference_surface_summary
 /*!
  * \ingroup PkgVertexLocationOptimizationRef
  *
- * \brief How far a triangle mesh is from a reference surface, in the unit of the input.
+ * \brief The distance of a polygon mesh from a reference surface, in the unit of the input.
  *
  * \sa `CGAL::Polygon_mesh_processing::approximation_error()`
  */
@@ -76,14 +76,14 @@ struct Approximation_error
 /*!
  * \ingroup PkgVertexLocationOptimizationRef
  *
- * \brief What an optimization did.
+ * \brief The result of an optimization.
  *
  * \sa `CGAL::Polygon_mesh_processing::optimize_vertex_locations()`
  */
 struct Vertex_location_optimization_report
 {
-  /// the number of iterations done; `0` if the input was unsuitable. If there were several attempts, with smaller weights of
-  /// the regularity, this is that of the one whose result counts, as is all that follows
+  /// the number of iterations done; `0` if the input was unsuitable. After several attempts with decreasing weights of the
+  /// regularity, this and all other values are those of the attempt whose result was chosen
   std::size_t iterations = 0;
 
   /// whether the run ended because no vertex moved farther than the convergence threshold
@@ -98,19 +98,19 @@ struct Vertex_location_optimization_report
   /// the number of vertices whose moves were shortened, in an iteration or at the end
   std::size_t corrected_vertices = 0;
 
-  /// those of them that were shortened because a face would have flipped, collapsed, or been folded sharply
+  /// the number of those shortened because a face would have been flipped, collapsed, or folded sharply
   std::size_t corrected_for_shape = 0;
 
-  /// those that were shortened because the distance between the surfaces would have become larger
+  /// the number of those shortened because the distance between the surfaces would have increased
   std::size_t corrected_for_error = 0;
 
-  /// those that were shortened because two faces would have intersected that did not before
+  /// the number of those shortened because two faces would have intersected that did not before
   std::size_t corrected_for_intersection = 0;
 
-  /// those whose moves `allow_move_functor` has refused
+  /// the number of vertices whose moves `allow_move_functor` has refused
   std::size_t refused_vertices = 0;
 
-  /// the distance from the mesh to the reference before, as the guarantee measures it
+  /// the distance from the mesh to the reference before, as measured for the guarantee
   Approximation_error initial_error;
 
   /// the same afterwards
@@ -119,15 +119,14 @@ struct Vertex_location_optimization_report
   /// the distance from the reference to the mesh before; `0` unless both directions are guaranteed
   Approximation_error initial_error_from_reference;
 
-  /// the same afterwards; with `LEAST_SQUARES` at the samples that the mesh was fitted to, where it is smaller than between
-  /// them
+  /// the same afterwards; the samples are not those that the mesh was fitted to
   Approximation_error final_error_from_reference;
 
   /// the relative change of the volume that the mesh encloses; `0` if it is not closed
   double volume_change = 0;
 
-  /// whether the mesh encloses the volume of the reference, as `preserve_volume` asks; `false` if that was not asked for, if
-  /// one of the two is not closed, or if the guarantee did not permit it
+  /// whether the mesh encloses the volume of the reference, as requested by `preserve_volume`; `false` if this was not
+  /// requested, if one of the two is not closed, or if the guarantee did not permit it
   bool is_volume_preserved = false;
 
   /// the surface to which the mesh was fitted
@@ -137,7 +136,7 @@ struct Vertex_location_optimization_report
 /*!
  * \ingroup PkgVertexLocationOptimizationRef
  *
- * \brief The phases of a run, in their order: those of an iteration, and the last one, which ends the run.
+ * \brief The phases of a run in their order: those of an iteration, and the final one.
  */
 enum class Vertex_location_optimization_phase
 {
@@ -145,11 +144,11 @@ enum class Vertex_location_optimization_phase
   SAMPLE_REFERENCE,
   /// the vertices are placed among the samples
   PLACE_VERTICES,
-  /// the vertices are relaxed along the surface; nothing is done in it after the free iterations
+  /// the vertices are relaxed along the surface; after the free iterations, this phase does nothing
   RELAX_VERTICES,
   /// moves that flip a face are shortened
   CORRECT_FLIPS,
-  /// after the iterations: the result is compared with the input, and moves that make it worse are shortened
+  /// after the iterations, the result is compared with the input, and moves that make it worse are shortened
   ENFORCE_GUARANTEE
 };
 
@@ -165,7 +164,7 @@ struct Vertex_location_optimization_default_visitor
   /// is called before each phase.
   void start_phase(Vertex_location_optimization_phase) {}
 
-  /// is called after each iteration with the report so far; a second attempt starts anew.
+  /// is called after each iteration with the report so far; a further attempt counts its iterations from the first.
   void end_iteration(const Vertex_location_optimization_report&) {}
 
   /// is called before each phase of an iteration; if it returns `false`, the run ends with the result of the last complete

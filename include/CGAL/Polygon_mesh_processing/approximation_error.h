@@ -34,31 +34,32 @@ namespace Polygon_mesh_processing {
 /*!
  * \ingroup PkgVertexLocationOptimizationRef
  *
- * \brief measures the distance of the points of a polygon mesh to a reference surface: its mean, its root mean square,
- *        and its maximum.
+ * \brief measures the mean, the root mean square, and the maximum of the distance of the points of a polygon mesh to a
+ *        reference surface.
  *
  * The distance \f$ e(x) \f$ of a point \f$ x \f$ of `pmesh` is that to the closest point of the reference; the mean is
- * \f$ \frac{1}{A} \int e(x)\,dx \f$ over the area \f$ A \f$ of `pmesh`, equation (5) of \cgalCite{vlo2012}. The
- * integral is taken from samples. A face gets as many as there are faces of the reference below it, small faces get few,
- * and more are taken until the mean is probably known to a few thousandths: it is typically 0.1% off, but may be 2% off on a
- * mesh of a few large faces. The maximum is searched for on whole faces, edges and vertices included, from the samples where
- * it may be; it is within 1% on most meshes. The search is bounded, however: a peak of the distance that is much narrower
- * than the faces of both surfaces may be missed.
+ * \f$ \frac{1}{A} \int e(x)\,dx \f$ over the area \f$ A \f$ of `pmesh`, equation (5) of \cgalCite{vlo2012}. The integral is
+ * estimated from samples. A face gets as many samples as there are faces of the reference below it, small faces get few, and
+ * samples are added until the mean is likely to be accurate to a few thousandths. Its error is typically 0.1%, but may be 2%
+ * on a mesh of a few large faces. The maximum is searched for on whole faces, including their edges and vertices, starting
+ * from the samples near which it may be; it is within 1% on most meshes. The search is bounded, however: a peak of the
+ * distance that is much narrower than the faces of both surfaces may be missed.
  *
- * A face with more than three corners stands for the mean of its fans, one from each of its corners, as in
- * `optimize_vertex_locations()`: the samples lie in all of their triangles, weighted. The maximum is that of all of them.
+ * A face with more than three corners represents the mean of its fan triangulations, one from each of its corners, as in
+ * `optimize_vertex_locations()`. The samples are weighted and lie in all of their triangles; the maximum is that over all
+ * triangles.
  *
  * The distance is one-sided: a part of the reference that `pmesh` lacks does not count. The distance of the points of
- * the reference to `pmesh` is measured with the arguments swapped. As a mesh in the place of the reference is taken as
- * smooth, `Flat_triangle_surface` keeps the faces of `pmesh` flat:
+ * the reference to `pmesh` is measured with the arguments swapped. As a mesh passed as reference is taken to be smooth, use
+ * `Flat_triangle_surface` to keep the faces of `pmesh` flat:
  *
  * \code{.cpp}
  * PMP::Approximation_error there = PMP::approximation_error(remesh, input);
  * PMP::Approximation_error back = PMP::approximation_error(input, PMP::Flat_triangle_surface<Mesh>(remesh));
  * \endcode
  *
- * In this direction it is the faces of `input`, not its PN triangles, that are sampled, and faces of `remesh` with more than
- * three corners are triangulated.
+ * In this direction, the faces of `input` are sampled, not its PN triangles, and faces of `remesh` with more than three
+ * corners are triangulated.
  *
  * The computations are done in double precision. The result does not depend on the number of threads.
  *
@@ -71,8 +72,8 @@ namespace Polygon_mesh_processing {
  * \tparam NamedParameters2 a sequence of \ref bgl_namedparameters "Named Parameters"
  *
  * \param pmesh the polygon mesh whose points are measured
- * \param reference the surface that the distance is measured to: a polygon mesh, which is taken as a
- *                  `PN_triangle_surface`, or a reference surface
+ * \param reference the surface to which the distance is measured: a polygon mesh, which is taken as a `PN_triangle_surface`,
+ *                  or a reference surface
  * \param np1 an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
  *
  * \cgalNamedParamsBegin
@@ -92,8 +93,8 @@ namespace Polygon_mesh_processing {
  *   \cgalParamNEnd
  *
  *   \cgalParamNBegin{number_of_points_per_area_unit}
- *     \cgalParamDescription{the number of samples for each unit of area, in the unit of the input. Each triangle gets so
- *                           many, or `number_of_points_per_face` if that is more.}
+ *     \cgalParamDescription{the number of samples per unit of area, in the unit of the input. Each triangle gets the
+ *                           resulting number of samples, or `number_of_points_per_face` if that is larger.}
  *     \cgalParamType{double}
  *     \cgalParamDefault{follows the reference}
  *   \cgalParamNEnd
@@ -111,22 +112,23 @@ namespace Polygon_mesh_processing {
  *     \cgalParamType{a class model of `WritablePropertyMap` with
  *                    `boost::graph_traits<PolygonMesh>::%vertex_descriptor` as key type and `double` as value type}
  *     \cgalParamDefault{not written}
- *     \cgalParamExtra{The vertices of a remesh lie on the reference, so their own distances are meaningless. The mean
- *                     of this map, where each vertex has a third of the area around it, is the mean over `pmesh` if its
- *                     faces are triangles.}
+ *     \cgalParamExtra{The vertices of a remesh lie on the reference, so that their own distances are meaningless. If the
+ *                     faces are triangles, the mean of this map, with a third of the area around each vertex as its weight,
+ *                     is the mean over `pmesh`.}
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
  * \param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters": those of the constructor of
- *            `PN_triangle_surface` if `reference` is a mesh; a reference surface has them already
+ *            `PN_triangle_surface` if `reference` is a mesh; none if it is a reference surface
  *
- * \pre no face of `pmesh` or, if it is a mesh, of `reference` has less than three corners, or more and a vertex twice
+ * \pre no face of `pmesh` or, if it is a mesh, of `reference` has fewer than three corners, or more than three with a
+ *      repeated vertex
  * \pre all coordinates are finite
  * \pre the reference has a face, unless `pmesh` has no vertex
  *
  * \return the error. Where `pmesh` has no area the mean and the root mean square are `0`, and so is the maximum if it
  *         has no face. If a precondition is violated and not checked, all three are infinite and the maps are untouched.
- *         They are infinite too where coordinates are so large that areas overflow; never `NaN`.
+ *         They are also infinite if coordinates are so large that areas overflow. They are never `NaN`.
  *
  * \sa `CGAL::Polygon_mesh_processing::optimize_vertex_locations()`
  * \sa `CGAL::Polygon_mesh_processing::normal_deviation()`
@@ -168,10 +170,10 @@ Approximation_error approximation_error(const PolygonMesh& pmesh,
  * \tparam NamedParameters1 a sequence of \ref bgl_namedparameters "Named Parameters"
  * \tparam NamedParameters2 a sequence of \ref bgl_namedparameters "Named Parameters"
  *
- * \param faces the faces of `pmesh` that are measured; a face that is there twice counts once. The maps of errors receive
- *              those of these faces and their vertices, the latter over the faces of the range alone.
+ * \param faces the faces of `pmesh` that are measured; a repeated face counts once. The error maps receive values only for
+ *              these faces and their vertices, the latter over the faces of the range alone.
  * \param pmesh the polygon mesh
- * \param reference the surface that the distance is measured to
+ * \param reference the surface to which the distance is measured
  * \param np1 an optional sequence of \ref bgl_namedparameters "Named Parameters", as for the whole mesh
  * \param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters", as for the whole mesh
  *
@@ -233,15 +235,16 @@ Approximation_error approximation_error(const FaceRange& faces,
  * \param np1 an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`,
  *            `number_of_points_per_face`, and `number_of_points_per_area_unit`, as those of `approximation_error()`
  * \param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters": those of the constructor of
- *            `PN_triangle_surface` if `reference` is a mesh; a reference surface has them already
+ *            `PN_triangle_surface` if `reference` is a mesh; none if it is a reference surface
  *
- * \pre no face of `pmesh` or, if it is a mesh, of `reference` has less than three corners, or more and a vertex twice
+ * \pre no face of `pmesh` or, if it is a mesh, of `reference` has fewer than three corners, or more than three with a
+ *      repeated vertex
  * \pre all coordinates are finite
  * \pre the reference has a face, unless `pmesh` has no vertex
  *
- * \return the mean angle in degrees. Points where one of the two normals has no direction are not counted; `0` if there
- *         are no others. `180` if a precondition is violated and not checked, and where coordinates are so large that
- *         areas overflow.
+ * \return the mean angle in degrees. Points where one of the two normals has no direction are not counted; the angle is `0`
+ *         if there are no other points. It is `180` if a precondition is violated and not checked, or if coordinates are so
+ *         large that areas overflow.
  *
  * \sa `CGAL::Polygon_mesh_processing::optimize_vertex_normals()`
  * \sa `CGAL::Polygon_mesh_processing::approximation_error()`
@@ -278,7 +281,7 @@ double normal_deviation(const PolygonMesh& pmesh,
  *
  * \brief measures the angle between the normals of the faces of a polygon mesh and those of a reference surface.
  *
- * All points of a face have the normal of the face. Otherwise it is the same as the function that takes a map of normals.
+ * All points of a face have the normal of the face. Otherwise, this function is the same as the one with a map of normals.
  */
 template <typename ConcurrencyTag = Sequential_tag,
           typename PolygonMesh,

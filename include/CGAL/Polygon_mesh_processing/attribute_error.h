@@ -39,15 +39,15 @@ namespace Polygon_mesh_processing {
 /*!
  * \ingroup PkgVertexLocationOptimizationRef
  *
- * \brief measures the difference between an attribute of a polygon mesh and that of a reference surface: its mean, its root
- *        mean square, and its maximum.
+ * \brief measures the mean, the root mean square, and the maximum of the difference between an attribute of a polygon mesh
+ *        and that of a reference surface.
  *
  * At a point of `pmesh` the values of the map, interpolated linearly over the face, are compared with the attribute of the
- * reference at the closest point. The difference of two values is the Euclidean one, as between points, also for colors,
- * whose channels go from 0 to 255. The means are taken over the area of `pmesh`, as `approximation_error()` does.
+ * reference at the closest point. The difference between two values is their Euclidean distance, also for colors, whose
+ * channels range from 0 to 255. The means are taken over the area of `pmesh`, as in `approximation_error()`.
  *
- * At a seam of the reference, see `optimize_vertex_attributes()`, a face is compared with the side that its center is
- * on.
+ * At a seam of the reference (see `optimize_vertex_attributes()`), a face is compared with the side on which its center
+ * lies.
  *
  * The result does not depend on the number of threads.
  *
@@ -82,24 +82,25 @@ namespace Polygon_mesh_processing {
  *   \cgalParamNEnd
  *
  *   \cgalParamNBegin{number_of_points_per_face}
- *     \cgalParamDescription{the number of samples in each triangle. It is rounded up to six times a square number: there are six
- *                           samples in each of the congruent triangles that the triangle is divided into.}
+ *     \cgalParamDescription{the number of samples in each triangle. It is rounded up to six times a square number: the
+ *                           triangle is divided into congruent triangles, with six samples in each of them.}
  *     \cgalParamType{unsigned integer}
  *     \cgalParamDefault{`64`}
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
  * \param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters": those of the constructor of
- *            `PN_triangle_surface` if `reference` is a mesh; a reference surface has them already
+ *            `PN_triangle_surface` if `reference` is a mesh; none if it is a reference surface
  *
- * \pre no face of `pmesh` or, if it is a mesh, of `reference` has less than three corners, or more and a vertex twice
+ * \pre no face of `pmesh` or, if it is a mesh, of `reference` has fewer than three corners, or more than three with a
+ *      repeated vertex
  * \pre all coordinates are finite
  * \pre the reference has a face, unless `pmesh` has no vertex
- * \pre the maps have values for all vertices, or for the halfedges of all faces, which are finite
+ * \pre the maps have finite values for all vertices, or for the halfedges of all faces
  *
  * \return the error, in the unit of the attribute. Where `pmesh` has no area the mean and the root mean square are `0`, and
  *         so is the maximum if it has no face. If a precondition is violated and not checked, all three are infinite. They
- *         are infinite too where numbers are so large that they overflow; never `NaN`.
+ *         are also infinite if numbers are so large that they overflow. They are never `NaN`.
  *
  * \sa `CGAL::Polygon_mesh_processing::optimize_vertex_attributes()`
  * \sa `CGAL::Polygon_mesh_processing::approximation_error()`

@@ -34,11 +34,12 @@ namespace Polygon_mesh_processing {
  *        approximate that surface as well as they can.
  *
  * A down-sampled image is a remesh of the full one, with a regular connectivity. It is optimized as by
- * `optimize_vertex_locations()`, with its guarantees, but without springs: the triangles of an image are irregular on
- * purpose. They are those of `geometry_image_to_polygon_mesh()` for the image as it is given. Samples that are one vertex
- * stay identical to the last bit, so that the image stays watertight; the border of an open image stays where it is. The
- * shorter diagonals of the result may be others: `geometry_image_to_polygon_mesh(image, tmesh, diagonals)` gives its
- * triangles. See Section 3.5 of \cgalCite{vlo2012}.
+ * `optimize_vertex_locations()`, with the same guarantees, but without springs, as the triangles of an image are irregular
+ * on purpose. The triangles are those that `geometry_image_to_polygon_mesh()` makes of the initial image. Samples that
+ * represent the same vertex remain identical to the last bit, so that the image stays watertight; the border of an open
+ * image does not move. As the shorter diagonals of the result may differ from the initial ones, use
+ * `geometry_image_to_polygon_mesh(image, tmesh, diagonals)` to get the same triangles. See Section 3.5 of
+ * \cgalCite{vlo2012}.
  *
  * The result does not depend on the number of threads.
  *
@@ -53,12 +54,12 @@ namespace Polygon_mesh_processing {
  * \param reference the surface that the image approximates: a polygon mesh, which is taken as a `PN_triangle_surface`,
  *                  or a reference surface, such as the `Flat_triangle_surface` of the triangulated full image
  * \param np1 an optional sequence of \ref bgl_namedparameters "Named Parameters": those of `optimize_vertex_locations()`
- *            that are not about the vertices and edges of a mesh, with the same defaults: `number_of_iterations`,
+ *            that do not refer to the vertices and edges of a mesh, with the same defaults: `number_of_iterations`,
  *            `number_of_free_iterations`, `convergence_threshold`, `placement_method`, `regularity_weight`,
- *            `relax_constraints` (which are the borders of an open image), `do_self_intersection_tests`, and `visitor`
+ *            `relax_constraints` (for the border of an open image), `do_self_intersection_tests`, and `visitor`
  *
  * \param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters": those of the constructor of
- *            `PN_triangle_surface` if `reference` is a mesh; a reference surface has them already
+ *            `PN_triangle_surface` if `reference` is a mesh; none if it is a reference surface
  *
  * \pre all coordinates are finite; and those of `optimize_vertex_locations()`
  *

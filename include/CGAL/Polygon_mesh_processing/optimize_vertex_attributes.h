@@ -46,35 +46,34 @@ namespace Polygon_mesh_processing {
  *
  * A remesher drops the attributes of its input. Copying them from the closest points of the vertices ignores the values
  * between the vertices, and aliases details that are finer than the faces. This
- * function takes the attribute of the reference as a signal \f$ s \f$, as \cgalCite{vlo2012} takes its points and normals
+ * function treats the attribute of the reference as a signal \f$ s \f$, as \cgalCite{vlo2012} treats points and normals
  * (Sections 3.1 and 3.4), and finds the values \f$ a_k \f$ that minimize
  * \f[ \int \Big\| \sum_k \lambda_k(x)\,a_k - s(\pi(x)) \Big\|^2 dx \f]
  * over the surface of `pmesh`, where \f$ \lambda_k \f$ are the barycentric coordinates in the triangle of \f$ x \f$ and
- * \f$ \pi(x) \f$ is the point of the reference that is closest to \f$ x \f$. It is best called after
+ * \f$ \pi(x) \f$ is the point of the reference that is closest to \f$ x \f$. Call this function after
  * `optimize_vertex_locations()`.
  *
- * The integral is a sum over samples, at least six in each face of `pmesh` and about as many as the reference has faces:
- * details finer than the faces of `pmesh` are averaged. A signal that is linear over the surface is reproduced, up to
- * rounding. The mean of the differences at the samples is never larger than with the values at the
- * closest points of the vertices.
+ * The integral is a sum over samples, at least six in each face of `pmesh`, and in total about as many as the reference has
+ * faces: details finer than the faces of `pmesh` are averaged. A signal that is linear over the surface is reproduced up to
+ * rounding. The mean difference at the samples is never larger than with the values at the closest points of the vertices.
  *
- * A face with more than three corners stands for the mean of its fans, as in `optimize_vertex_locations()`: each of their triangles
- * is one of the sum, with its weight.
+ * A face with more than three corners represents the mean of its fan triangulations, as in `optimize_vertex_locations()`:
+ * each of their triangles contributes to the sum with its weight.
  *
- * <b>Seams.</b> The attribute of the reference may have seams, as texture coordinates have: edges with different values on
- * their sides. They can be given by a map of halfedges only, the values of the corners of the faces. A face of `pmesh` takes
- * all its samples on the side of its center; none crosses a seam. `pmesh` has seams where `edge_is_constrained_map` says
- * so, and between faces that are on different sides of a seam of the reference. A map of halfedges receives the values of
- * both sides. A map of vertices receives those of the side with the largest area around the vertex. So no value is a mixture
- * across a seam. Seams look best if the remesher keeps them as edges.
+ * <b>Seams.</b> Attributes of the reference such as texture coordinates may have seams: edges with different values on their
+ * two sides. Such an attribute must be given by a map of halfedges, which holds the values at the corners of the faces. A
+ * face of `pmesh` is sampled only on the side of its center; no sample crosses a seam. `pmesh` has seams at the edges marked
+ * in `edge_is_constrained_map`, and between faces that are on different sides of a seam of the reference. A map of halfedges
+ * receives the values of both sides. A map of vertices receives those of the side with the largest area around the vertex.
+ * Values are thus never mixed across a seam. Seams look best if the remesher keeps them as edges.
  *
- * Unit vectors are not kept at length 1; for normals there is `optimize_vertex_normals()`. Numbers of an integral type, and
- * the channels of a color, are rounded to the nearest one and never leave the range of their type.
+ * Unit vectors do not keep length 1; for normals, use `optimize_vertex_normals()`. Numbers of an integral type, and the
+ * channels of a color, are rounded to the nearest integer and clamped to the range of their type.
  *
  * The result does not depend on the number of threads.
  *
- * It takes \cgalBigO{(n + m) \log m} time and \cgalBigO{n + m} memory for \f$ n \f$ vertices and a reference of \f$ m \f$
- * faces: a linear system with the mass matrix of `pmesh`, which is solved by a fixed number of Chebyshev's iterations.
+ * The function takes \cgalBigO{(n + m) \log m} time and \cgalBigO{n + m} memory for \f$ n \f$ vertices and a reference of
+ * \f$ m \f$ faces: the linear system with the mass matrix of `pmesh` is solved by a fixed number of Chebyshev iterations.
  *
  * \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
  *                        `Parallel_tag`, and `Parallel_if_available_tag`.
@@ -96,16 +95,17 @@ namespace Polygon_mesh_processing {
  * \param reference the surface that the attribute belongs to: a polygon mesh, which is taken as a `PN_triangle_surface`, or
  *                  a reference surface that was made from one
  * \param reference_attribute_map the attribute of the reference, at its vertices or at the corners of its faces: the value
- *                                of a halfedge is that of its face at its target. Over a face it is interpolated linearly.
+ *                                of a halfedge is that of its face at its target. It is interpolated linearly over each
+ *                                face.
  * \param attribute_map receives the values at the vertices of `pmesh` or at the corners of its faces. Border halfedges
  *                      receive none.
  * \param np1 an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{clamp_to_samples}
- *     \cgalParamDescription{If `true`, no number of a value is smaller than all samples around it, or larger: those in the
- *                           faces of its side around the vertex and at the vertex itself. Without it a value may overshoot,
- *                           as near an edge in a picture.}
+ *     \cgalParamDescription{If `true`, each component of a value is clamped to the range of the samples at the vertex and in
+ *                           the faces around it on the same side of a seam. If `false`, values may overshoot, for example
+ *                           near an edge in a picture.}
  *     \cgalParamType{Boolean}
  *     \cgalParamDefault{`true`}
  *   \cgalParamNEnd
@@ -121,15 +121,16 @@ namespace Polygon_mesh_processing {
  *     \cgalParamDescription{a property map containing the seam-or-not status of each edge of `pmesh`}
  *     \cgalParamType{a class model of `ReadablePropertyMap` with
  *                    `boost::graph_traits<PolygonMesh>::%edge_descriptor` as key type and `bool` as value type}
- *     \cgalParamDefault{a default property map where no edge is a seam but those that separate the sides of a seam of the
- *                       reference}
+ *     \cgalParamDefault{a default property map where no edge is a seam, except for those that separate the sides of a seam
+ *                       of the reference}
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
  * \param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters": those of the constructor of
- *            `PN_triangle_surface` if `reference` is a mesh; a reference surface has them already
+ *            `PN_triangle_surface` if `reference` is a mesh; none if it is a reference surface
  *
- * \pre no face of `pmesh` or, if it is a mesh, of `reference` has less than three corners, or more and a vertex twice
+ * \pre no face of `pmesh` or, if it is a mesh, of `reference` has fewer than three corners, or more than three with a
+ *      repeated vertex
  * \pre all coordinates are finite
  * \pre the reference has a face, unless `pmesh` has no vertex
  * \pre the maps have values for all vertices, or for the halfedges of all faces; those of `reference_attribute_map` are

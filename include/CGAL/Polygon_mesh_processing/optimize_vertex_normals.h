@@ -39,21 +39,19 @@ namespace Polygon_mesh_processing {
  * \brief computes the unit normals of the vertices of a polygon mesh whose interpolation over its faces is closest to
  *        the normals of a reference surface.
  *
- * A renderer interpolates the normals of the vertices. Averages of the normals of the faces are poor where the mesh is
- * coarse, and the normals of the reference at the vertices vary too much, on average. This function fits a
- * piecewise linear function to the normals of the reference, as `optimize_vertex_attributes()` does with any attribute, and
- * scales its values to length 1 (Section 3.4 of \cgalCite{vlo2012}). It is best called after
- * `optimize_vertex_locations()`.
+ * A renderer interpolates the normals of the vertices. Averages of face normals are inaccurate where the mesh is coarse, and
+ * the normals of the reference at the vertices vary too much on average. This function fits a piecewise linear function to
+ * the normals of the reference, as `optimize_vertex_attributes()` does with any attribute, and scales its values to length 1
+ * (Section 3.4 of \cgalCite{vlo2012}). Call this function after `optimize_vertex_locations()`.
  *
- * At an edge that `edge_is_constrained_map` marks, a crease, each face takes the normals of its own side. The faces
- * around a vertex are in sectors, which creases and borders end; each sector has a normal of its own. A map of the
- * corners receives them all and renders a crease sharp; a map of the vertices receives that of the sector with the
- * largest area.
+ * Edges marked in `edge_is_constrained_map` are creases, at which each face takes the normals of its own side. Creases and
+ * borders divide the faces around a vertex into sectors, each with its own normal. A map of the corners receives all these
+ * normals and renders a crease sharp; a map of the vertices receives the normal of the sector with the largest area.
  *
- * A face with more than three corners stands for the mean of its fans, as in `optimize_vertex_locations()`.
+ * A face with more than three corners represents the mean of its fan triangulations, as in `optimize_vertex_locations()`.
  *
  * The normals are always unit vectors. Where the faces have no area, or where the fit vanishes or turns away from the
- * reference, the normal is that of the reference near the vertex, and \f$ (0,0,1) \f$ if that has none either.
+ * reference, the normal is that of the reference near the vertex, or \f$ (0,0,1) \f$ if the reference has no normal there.
  *
  * The computations are done in double precision. The result does not depend on the number of threads.
  *
@@ -92,9 +90,10 @@ namespace Polygon_mesh_processing {
  * \cgalNamedParamsEnd
  *
  * \param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters": those of the constructor of
- *            `PN_triangle_surface` if `reference` is a mesh; a reference surface has them already
+ *            `PN_triangle_surface` if `reference` is a mesh; none if it is a reference surface
  *
- * \pre no face of `pmesh` or, if it is a mesh, of `reference` has less than three corners, or more and a vertex twice
+ * \pre no face of `pmesh` or, if it is a mesh, of `reference` has fewer than three corners, or more than three with a
+ *      repeated vertex
  * \pre all coordinates are finite
  * \pre the reference has a face, unless `pmesh` has no vertex
  *

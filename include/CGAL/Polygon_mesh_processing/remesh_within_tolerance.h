@@ -44,22 +44,24 @@ namespace Polygon_mesh_processing {
  * \brief finds the coarsest remesh of a triangle mesh whose error is within a tolerance.
  *
  * The remesher is called with several edge lengths, each time for a copy of `input`. Each remesh is optimized by
- * `optimize_vertex_locations()` and measured in both directions, from the remesh to the reference and back. The error goes
- * about with the square of the edge length; a secant method in logarithms, which starts at a guess from the curvature of the
- * input, usually needs four to seven remeshings to find the edge length to 2%. It does not rely on that: the error may
- * be noisy or jump, and the remesher may ignore the length or fail at some lengths. The remesh with the fewest vertices among those
- * within the tolerance is the result; if none is, it is the one with the smallest error, and the report says so.
+ * `optimize_vertex_locations()` and measured in both directions, from the remesh to the reference and back. The error is
+ * roughly proportional to the square of the edge length. A secant method on logarithms, with an initial guess from the
+ * curvature of the input, usually needs four to seven remeshings to find the edge length to 2%. The search does not rely on
+ * this law: the error may be noisy or jump, and the remesher may ignore the edge length or fail at some lengths. The result
+ * is the remesh with the fewest vertices among those within the tolerance. If there is none, it is the remesh with the
+ * smallest error, and the report says so.
  *
- * The error is the distance to the faces of `input` as they are; the report has the values that `approximation_error()`
- * measured on the result. To use the smooth surface that `input` stands for instead, pass it as `reference_surface`.
+ * The error is the distance to the faces of `input` as they are; the report contains the values of `approximation_error()`
+ * for the result. To use the smooth surface that `input` represents instead, pass a `PN_triangle_surface` of it as
+ * `reference_surface`.
  *
- * The largest distance is often that of some spots only. If no more than a fifth of the faces of a remesh are beyond a
- * tolerated `MAXIMUM_ERROR` after the optimization, it is refined at the worst ones, and the faces around are optimized again,
- * in up to 24 rounds: sides are flipped where that brings two faces closer to the reference, vertices that are beyond
- * themselves go there, and other faces are split at the midpoints of their longest sides. No flip is made, and no vertex moved,
- * so that faces intersect that did not before. Vertices in such spots save more elsewhere. The result thus has more vertices
- * than the remesher made. If that fails, the search goes on with longer edge lengths all the same, and comes back to shorter
- * ones at the end.
+ * The largest distance often occurs only in some spots. With `MAXIMUM_ERROR`, if no more than a fifth of the faces of a
+ * remesh exceed the tolerance after the optimization, the remesh is refined at the worst faces, and the faces around them
+ * are optimized again, in up to 24 rounds: edges are flipped if this brings two faces closer to the reference, vertices that
+ * exceed the tolerance are moved to the reference, and other faces are split at the midpoints of their longest edges.
+ * Neither a flip nor a move may cause new intersections. The result thus has more vertices than the remesher made, but the
+ * additional vertices allow longer edges elsewhere. If the refinement fails, the search still continues with longer edge
+ * lengths, and returns to shorter ones at the end.
  *
  * No remesh is requested that would have more than four times as many faces as `input`, or 100000 if that is more. The
  * result is deterministic if the remesher is, and does not depend on the number of threads.
@@ -67,7 +69,7 @@ namespace Polygon_mesh_processing {
  * \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
  *                        `Parallel_tag`, and `Parallel_if_available_tag`. The remesher is called sequentially.
  * \tparam TriangleMesh a model of `VertexListGraph`, `EdgeListGraph`, `FaceListGraph`, and `MutableFaceGraph` that has an
- *                      internal property map for `CGAL::vertex_point_t`. It can be copied, and a copy has its vertices and
+ *                      internal property map for `CGAL::vertex_point_t`. It is copyable, and a copy has its vertices and
  *                      edges in the same order.
  * \tparam Remesh a function object; see `remesh`
  * \tparam NamedParameters1 a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -75,31 +77,33 @@ namespace Polygon_mesh_processing {
  *
  * \param input the triangle mesh to remesh
  * \param tolerance the largest error that is tolerated, in the unit of the input
- * \param result the remesh. It can be `input` itself. If the remesher leaves removed elements in a mesh, so does `result`.
- * \param remesh a remesher or simplifier: `remesh(mesh, edge_length)` remeshes `mesh`, a copy of `input`, by the edge length,
- *               or by another size that goes with it. If it takes one argument more, that is a model of
- *               `ReadWritePropertyMap` with the edges of `mesh` as keys and `bool` as values, and holds which of them are
- *               constrained; the remesher keeps them and the map up to date, as `isotropic_remeshing()` does. A remesher that
- *               does not take it can put another mesh in the place of `mesh`, and has no constrained edges. If it takes two
- *               more, the other one is such a map for the vertices, and holds the corners that should stay: those of
- *               constrained edges and of the border, unless there are exactly two that form an angle of more than 120 degrees.
- *               What `remesh` throws is passed on; `result` is untouched then. A mesh without a face, with other faces than
- *               triangles, or with a coordinate that is not finite is a failure at that edge length.
+ * \param result the remesh. It can be `input` itself. If the remesher leaves removed elements in a mesh, `result` contains
+ *               them, too.
+ * \param remesh a remesher or simplifier: `remesh(mesh, edge_length)` remeshes `mesh`, a copy of `input`, with the given
+ *               edge length, or with another size derived from it. An optional third argument is a model of
+ *               `ReadWritePropertyMap` with the edges of `mesh` as keys and `bool` as values, which marks the constrained
+ *               edges; the remesher must preserve these edges and update the map, as `isotropic_remeshing()` does. A
+ *               remesher without this argument may replace `mesh` by another mesh, and has no constrained edges. An optional
+ *               fourth argument is such a map for the vertices. It marks the corners, which should not move: the vertices of
+ *               constrained edges and of the border, unless there are exactly two such edges that form an angle of more than
+ *               120 degrees. Exceptions thrown by `remesh` are passed on, and `result` is then untouched. A mesh without a
+ *               face, with faces that are not triangles, or with a coordinate that is not finite counts as a failure at that
+ *               edge length.
  * \param np1 an optional sequence of \ref bgl_namedparameters "Named Parameters": those of `optimize_vertex_locations()`,
- *            which are passed on to it, but for the maps that would be of the remesh, `vertex_point_map` and
+ *            which are passed on to it, except for the maps of the remesh, `vertex_point_map` and
  *            `vertex_is_constrained_map`; and the ones listed below
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{tolerated_error}
- *     \cgalParamDescription{which error is kept within the tolerance, in both directions}
+ *     \cgalParamDescription{the error that is kept within the tolerance, in both directions}
  *     \cgalParamType{`Tolerated_error`}
  *     \cgalParamDefault{`MAXIMUM_ERROR`}
  *   \cgalParamNEnd
  *
  *   \cgalParamNBegin{edge_length_precision}
- *     \cgalParamDescription{The search ends when an edge length is known that is within the tolerance, and another one that
- *                           is not and larger by no more than this part; after seven remeshings also if refined remeshes
- *                           stay beyond the tolerance at lengths between.}
+ *     \cgalParamDescription{The search ends when one edge length is within the tolerance and another one, larger by at most
+ *                           this relative difference, is not. After seven remeshings, it also ends if refined remeshes with
+ *                           edge lengths in between exceed the tolerance.}
  *     \cgalParamType{a number type convertible to `double`}
  *     \cgalParamDefault{`0.02`}
  *   \cgalParamNEnd
@@ -111,17 +115,17 @@ namespace Polygon_mesh_processing {
  *   \cgalParamNEnd
  *
  *   \cgalParamNBegin{reference_surface}
- *     \cgalParamDescription{the surface that remeshes are fitted to and measured with, instead of the faces of `input`. In the
- *                           direction back its points are sampled if it is one of this package, else the points closest to
- *                           those of the faces of `input`.}
+ *     \cgalParamDescription{the surface to which remeshes are fitted and compared, instead of the faces of `input`. In the
+ *                           direction from the reference to the remesh, the surface is sampled if it is from this package;
+ *                           otherwise, its samples are the points closest to those of the faces of `input`.}
  *     \cgalParamType{a model of `ReferenceSurface`, or `std::cref()` of one, so that it is not copied}
  *     \cgalParamDefault{a `Flat_triangle_surface` of `input`, made once for all remeshings}
  *   \cgalParamNEnd
  *
  *   \cgalParamNBegin{edge_is_constrained_map}
  *     \cgalParamDescription{a property map containing the constrained-or-not status of each edge of `input`. These edges are
- *                           the creases that the remesher is told to keep, and those of the reference, unless `np2` has
- *                           others.}
+ *                           the creases that the remesher must preserve, and the creases of the reference unless `np2`
+ *                           specifies others.}
  *     \cgalParamType{a class model of `ReadablePropertyMap` with
  *                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type}
  *     \cgalParamDefault{a default property map where no edge is constrained}
@@ -135,8 +139,8 @@ namespace Polygon_mesh_processing {
  *
  *   \cgalParamNBegin{relax_constraints}
  *     \cgalParamDescription{as in `optimize_vertex_locations()`, with another default: constrained edges and the border are
- *                           fitted along those of the input, so that they need fewer vertices. If `false`, their vertices
- *                           stay where the remesher has put them.}
+ *                           fitted to those of the input, so that they need fewer vertices. If `false`, their vertices stay
+ *                           where the remesher has put them.}
  *     \cgalParamType{Boolean}
  *     \cgalParamDefault{`true`}
  *   \cgalParamNEnd
@@ -149,14 +153,14 @@ namespace Polygon_mesh_processing {
  * \cgalNamedParamsEnd
  *
  * \param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters": those of the constructor of
- *            `Flat_triangle_surface` for the creases of `input`, but for `vertex_point_map`; not used if there is a
- *            `reference_surface`
+ *            `Flat_triangle_surface` for the creases of `input`, except for `vertex_point_map`; not used if
+ *            `reference_surface` is given
  *
  * \pre `CGAL::is_triangle_mesh(input)`, it has a face, all its coordinates are finite, and not all its points are the same
  * \pre `tolerance` and `edge_length_precision` are positive and finite
  *
- * \return what was found. If a precondition is violated and not checked, `result` is untouched and the report says that there
- *         was no remeshing.
+ * \return the report of the result. If a precondition is violated and not checked, `result` is untouched and the report says
+ *         that there was no remeshing.
  *
  * \sa `CGAL::Polygon_mesh_processing::optimize_vertex_locations()`
  * \sa `CGAL::Polygon_mesh_processing::approximation_error()`
@@ -227,8 +231,8 @@ Tolerance_report remesh_within_tolerance(const TriangleMesh& input,
  *
  * \brief finds the coarsest remesh by `isotropic_remeshing()` whose error is within a tolerance.
  *
- * It calls the function that takes a remesher with `isotropic_remeshing()`, in 10 iterations of 3 relaxation steps, which
- * keeps the constrained edges of `input` and the corners of these and of the border.
+ * This function uses `isotropic_remeshing()` as the remesher, with 10 iterations of 3 relaxation steps. It preserves the
+ * constrained edges of `input`, their corners, and those of the border.
  */
 template <typename ConcurrencyTag = Sequential_tag,
           typename TriangleMesh,

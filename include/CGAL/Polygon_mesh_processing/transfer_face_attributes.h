@@ -34,16 +34,15 @@ namespace Polygon_mesh_processing {
 /*!
  * \ingroup PkgVertexLocationOptimizationRef
  *
- * \brief gives each face of a polygon mesh the value that most of it has on a reference surface, for example a material or
- *        the id of a patch.
+ * \brief assigns to each face of a polygon mesh the value that covers the largest part of it on a reference surface, for
+ *        example a material or the id of a patch.
  *
  * Ids and labels cannot be averaged. Each face is sampled, and gets the most frequent value at the closest points of
- * the reference. So the borders between regions of equal values end up on the edges of `pmesh` that are nearest to
- * them.
+ * the reference. The boundaries between regions of equal values thus end up on the edges of `pmesh` nearest to them.
  *
  * The result does not depend on the number of threads.
  *
- * It takes \cgalBigO{(n + m) \log m} time for \f$ n \f$ vertices and a reference of \f$ m \f$ faces.
+ * The function takes \cgalBigO{(n + m) \log m} time for \f$ n \f$ vertices and a reference of \f$ m \f$ faces.
  *
  * \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`,
  *                        `Parallel_tag`, and `Parallel_if_available_tag`.
@@ -76,9 +75,10 @@ namespace Polygon_mesh_processing {
  * \cgalNamedParamsEnd
  *
  * \param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters": those of the constructor of
- *            `PN_triangle_surface` if `reference` is a mesh; a reference surface has them already
+ *            `PN_triangle_surface` if `reference` is a mesh; none if it is a reference surface
  *
- * \pre no face of `pmesh` or, if it is a mesh, of `reference` has less than three corners, or more and a vertex twice
+ * \pre no face of `pmesh` or, if it is a mesh, of `reference` has fewer than three corners, or more than three with a
+ *      repeated vertex
  * \pre all coordinates are finite
  * \pre the reference has a face, unless `pmesh` has no face
  * \pre the maps have values for all faces

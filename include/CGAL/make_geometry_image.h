@@ -35,14 +35,15 @@ namespace CGAL {
  *
  * \brief makes a geometry image of a triangle mesh that is a topological disk.
  *
- * The mesh is parameterized over a square with the package \ref PkgSurfaceMeshParameterization, its border on that of the
- * square by arc length from its sharpest corner, and sampled at a regular grid. To sample it evenly the mean value
- * coordinates are reweighted where the parameterization is stretched \cgalCite{ybs2004}. The first and the last rows and
- * columns are the border. The triangulated image is oriented as the mesh.
+ * The mesh is parameterized over a square with the package \ref PkgSurfaceMeshParameterization, and sampled at a regular
+ * grid. The border of the mesh is mapped to that of the square by arc length, starting at its sharpest corner. For even
+ * sampling, the mean value coordinates are reweighted where the parameterization is stretched \cgalCite{ybs2004}. The first
+ * and the last rows and columns are the border. The triangulated image has the orientation of the mesh.
  *
- * A mesh that is no disk is refused; the parameter `verbose` tells why and what helps. A closed mesh must be cut open.
+ * A mesh that is not a disk is rejected; with the parameter `verbose`, a message says why, and how to fix it. A closed mesh
+ * must be cut open.
  *
- * This function needs \ref thirdpartyEigen "Eigen".
+ * This function requires \ref thirdpartyEigen "Eigen".
  *
  * \tparam TriangleMesh a model of `VertexListGraph`, `HalfedgeListGraph`, and `FaceListGraph`
  * \tparam Point_3 a point type
@@ -61,7 +62,7 @@ namespace CGAL {
  *   \cgalParamNEnd
  *
  *   \cgalParamNBegin{verbose}
- *     \cgalParamDescription{indicates whether it is told on `std::cerr` why there is no image}
+ *     \cgalParamDescription{indicates whether error messages are printed to `std::cerr`}
  *     \cgalParamType{Boolean}
  *     \cgalParamDefault{`false`}
  *   \cgalParamNEnd

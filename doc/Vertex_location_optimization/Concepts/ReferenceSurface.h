@@ -2,22 +2,22 @@
  * \ingroup PkgVertexLocationOptimizationConcepts
  * \cgalConcept
  *
- * The concept `ReferenceSurface` describes the surface that a remesh approximates: it finds the point of the surface
+ * The concept `ReferenceSurface` describes the surface that a remesh approximates. A model finds the point of the surface
  * that is closest to a given point, and returns the position and the normal there.
  *
  * A *foot* represents a point of the surface, for example by a patch and coordinates in the patch; the representation is
- * up to the model. The algorithms of this package keep the feet of the vertices from iteration to iteration and
- * pass them as hints, so that a search need not start from scratch.
+ * up to the model. The algorithms of this package keep the feet of the vertices from iteration to iteration and pass them as
+ * hints, so that a search need not start from scratch.
  *
  * The functions are called from several threads at the same time when a function of this package is called with
  * `CGAL::Parallel_tag`.
  *
- * Between the first and the last iteration, a sample moves along with its query in the tangent plane; its foot is searched
- * again only when the query has moved far enough. The models of this package then walk from the last foot; of other models
- * `project()` is called, with the last foot as the hint. With such a model, the vertices of constrained edges stay even if
- * `relax_constraints` is `true`, and `LEAST_SQUARES` takes its samples from the remesh alone.
+ * Between the first and the last iteration, a sample moves along with its query in the tangent plane; its foot is recomputed
+ * only when the query has moved far enough. In the models of this package, the search then walks from the last foot; for
+ * other models, `project()` is called with the last foot as the hint. With such other models, the vertices of constrained
+ * edges do not move even if `relax_constraints` is `true`, and `LEAST_SQUARES` takes its samples from the remesh alone.
  *
- * A class with a nested type `Foot` is taken for a model of this concept, another one for a polygon mesh.
+ * A class with a nested type `Foot` is assumed to be a model of this concept, any other class to be a polygon mesh.
  *
  * \cgalHasModelsBegin
  * \cgalHasModels{CGAL::Polygon_mesh_processing::PN_triangle_surface}
@@ -33,8 +33,8 @@ public:
   /// @{
 
   /*!
-   * The point type of a \cgal kernel. The functions of this package convert their points, whose type may be another one,
-   * by way of `double`.
+   * The point type of a \cgal kernel. The functions of this package convert their points, whose type may differ, via
+   * `double`.
    */
   typedef unspecified_type Point_3;
 
@@ -59,8 +59,8 @@ public:
   Foot project(const Point_3& query) const;
 
   /*!
-   * returns the foot of `query` as above. `hint` is a foot that a call of `project()` for some other point returned,
-   * most often one nearby. It may make the search faster, and must not change the distance that is found.
+   * returns the foot of `query` as above. `hint` is a foot returned by a previous call of `project()`, usually for a point
+   * nearby. The hint may accelerate the search, but must not change the distance found.
    */
   Foot project(const Point_3& query, const Foot& hint) const;
 

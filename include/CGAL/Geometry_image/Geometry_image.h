@@ -28,10 +28,10 @@ namespace CGAL {
 /*!
  * \ingroup PkgVertexLocationOptimizationImages
  *
- * \brief The class `Geometry_image` is a surface as a regular grid of points, its samples, in rows and columns.
+ * \brief The class `Geometry_image` represents a surface by a regular grid of points, its samples, in rows and columns.
  *
- * Neighbors in the grid are neighbors on the surface; the connectivity is not stored. Border samples that coincide
- * exactly, the *side-band*, are one vertex of the surface: with it an image can be a closed surface, too. See
+ * Neighbors in the grid are neighbors on the surface; the connectivity is not stored. Border samples that coincide exactly,
+ * the *side-band*, are one vertex of the surface, so that an image can also represent a closed surface. See
  * `geometry_image_to_polygon_mesh()`.
  *
  * \tparam Point_3_ the type of the points, `%Point_3` of a model of `Kernel`
@@ -58,7 +58,7 @@ public:
   /*!
    * constructs an image whose samples are all at the origin.
    *
-   * \throw std::length_error if there cannot be so many samples
+   * \throw std::length_error if the number of samples is too large
    */
   Geometry_image(std::size_t width, std::size_t height)
     : m_width(width), m_height(height), m_samples(checked_product(width, height), Point_3(ORIGIN))
@@ -92,7 +92,7 @@ public:
   }
 #else
   /*!
-   * returns the sample in row `i` and column `j`, which can be assigned to.
+   * returns a reference to the sample in row `i` and column `j`.
    * \pre `i < height()` and `j < width()`
    */
   Point_3& operator()(std::size_t i, std::size_t j);
@@ -109,10 +109,10 @@ public:
   const_iterator end() const { return m_samples.end(); }
 
   /*!
-   * returns an image of each `step`-th row and column, and of the last ones: border samples stay border samples.
+   * returns an image of every `step`-th row and column, and of the last ones: border samples remain border samples.
    *
-   * Where `width() - 1` and `height() - 1` are multiples of `step`, samples at the same distance from the two ends of a
-   * side are kept or dropped together, so that a side that is folded onto itself or onto another one stays so.
+   * Where `width() - 1` and `height() - 1` are multiples of `step`, samples at the same distance from the two ends of a side
+   * are kept or dropped together, so that a side that is folded onto itself or onto another one remains folded.
    *
    * \pre `step > 0`
    */

@@ -38,7 +38,7 @@ namespace CGAL {
 namespace internal {
 namespace geometry_image {
 
-// Calls f(), and returns whether it succeeded; what it throws is told if the user wants to know.
+// Calls f(), and returns whether it succeeded. Exceptions are reported if the user asks for it.
 template <typename NamedParameters, typename F>
 bool try_with_file(const std::string& fname, const NamedParameters& np, const F& f)
 {
@@ -66,8 +66,8 @@ inline Raster_format format_of_file(const std::string& fname)
   throw std::runtime_error("its extension is neither .gim nor .pfm");
 }
 
-// Writes a file with `write(os)`. It appears when it is complete: it is written beside its place and then moved there, so that
-// a file that is there already stays as it is if the disk is full. What is no file, such as a pipe, is written to directly.
+// Writes a file with `write(os)`. It is first written under another name and renamed when complete, so that an existing file
+// is not damaged if the disk is full. Something other than a regular file, such as a pipe, is written directly.
 template <typename Write>
 void write_or_keep(const std::string& fname, const Write& write)
 {
@@ -180,9 +180,9 @@ bool read_geometry_image(const std::string& fname,
  *
  * \brief writes a geometry image to a file, in single precision.
  *
- * The format is detected from the filename extension, see `read_geometry_image()`. Samples that coincide do so in the
- * file, too. If the file cannot be written in full, one that was there stays as it was: the new one is written beside it,
- * as `fname` with `.partial`, and then takes its place.
+ * The format is detected from the filename extension, see `read_geometry_image()`. Samples that coincide also coincide in
+ * the file. If the file cannot be written completely, an existing file is unchanged: the new one is first written as `fname`
+ * with the suffix `.partial`, and then renamed.
  *
  * \tparam Point_3 a point type
  * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"

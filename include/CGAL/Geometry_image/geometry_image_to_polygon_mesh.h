@@ -28,13 +28,13 @@ namespace CGAL {
  *
  * \brief triangulates a geometry image with the diagonals of another one.
  *
- * This is `geometry_image_to_polygon_mesh(image, tmesh, np)`, but for the triangles, which are those of `diagonals`: two
- * images that differ in their samples' locations only, as one has them before and after
+ * This is `geometry_image_to_polygon_mesh(image, tmesh, np)`, except that the triangles are those of `diagonals`: two images
+ * that differ only in the locations of their samples, such as those before and after
  * `CGAL::Polygon_mesh_processing::optimize_geometry_image()`, get the same connectivity.
  *
- * \param image the image that the points are taken from
+ * \param image the image that provides the points
  * \param tmesh the mesh that the vertices and faces are added to
- * \param diagonals the image that the connectivity is taken from: its shorter diagonals and coinciding samples
+ * \param diagonals the image that provides the connectivity, by its shorter diagonals and coinciding samples
  * \param np an optional sequence of named parameters, those of `geometry_image_to_polygon_mesh(image, tmesh, np)`
  *
  * \pre the two images have the same size, and all their coordinates are finite. Otherwise nothing is added.
@@ -66,8 +66,8 @@ void geometry_image_to_polygon_mesh(const Geometry_image<Point_3>& image,
  * samples, row by row, and the faces in that of the quads.
  *
  * The result is a polygon mesh for any image:
- * - Triangles of which two corners are the same vertex are left out, and so are samples without a triangle. Thus a side
- *   of the image can be a single point, such as a pole, and two sides with a common corner can be joined.
+ * - Triangles with two corners at the same vertex are omitted, and so are samples without a triangle. Thus a side of the
+ *   image can be a single point, such as a pole, and two sides with a common corner can be joined.
  * - Where the border is folded, the shorter diagonals of the two quads beside the fold may cut off the same triangle,
  *   once from each side. One of the two is then split along its longer diagonal.
  * - Where the border touches itself other than along a seam, or is joined to a one-sided surface such as a Möbius strip,

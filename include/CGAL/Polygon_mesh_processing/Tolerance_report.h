@@ -78,7 +78,7 @@ private:
  */
 struct Tolerance_default_visitor : Vertex_location_optimization_default_visitor
 {
-  /// is called before each remeshing with the edge length that the remesher will be given.
+  /// is called before each remeshing with the edge length that is passed to the remesher.
   void start_remeshing(double) {}
 
   /// is called when a remesh has been optimized and measured, with its report.

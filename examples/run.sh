@@ -4,16 +4,16 @@
 #   bash examples/run.sh [MESH [EDGE_LENGTH]] [OPTION...]
 #
 # EDGE_LENGTH is relative to the longest side of the bounding box. The options are those of optimize_remesh, such as
-# --least-squares; `optimize_remesh --help` lists them. Or does so with optimize_geometry_image_example and a geometry
-# image, .gim or .pfm, or that of a mesh with one border, of which each STEP-th row and column is kept:
+# --least-squares; `optimize_remesh --help` lists them. With --image, the same for optimize_geometry_image_example and a
+# geometry image, .gim or .pfm, or that of a mesh with one border, of which every STEP-th row and column is kept:
 #
 #   bash examples/run.sh --image [IMAGE [STEP]]
 #
-# Everything is written to examples/output/. In the environment:
+# Everything is written to examples/output/. Environment variables:
 #   AZIMUTH         turns the camera, in degrees
-#   CGAL_DIR        another CGAL than the system's
-#   CGAL_DATA_DIR   where CGAL's demo data are, if they are there; else they are kept in ~/.cache
-#   JOBS            how many compilers run at once
+#   CGAL_DIR        a CGAL other than the system's
+#   CGAL_DATA_DIR   CGAL's demo data; by default, it is downloaded to ~/.cache
+#   JOBS            the number of compilers that run at once
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=../cmake/setup.sh
 source "$(dirname "${BASH_SOURCE[0]}")/../cmake/setup.sh"

@@ -3,12 +3,12 @@
 #
 #   bash test/run.sh [--all] [--cgal-of SUITE] [TEST...]
 #
-# All of them, or those that are named and that each public header compiles. With --all it installs what is tested where
-# it is there, too: OpenMesh. With --cgal-of it takes the CGAL of another Debian, such as trixie, which is unpacked, not
-# installed, and says so where that cannot be had. In the environment:
-#   CGAL_DIR        another CGAL than the system's
-#   CGAL_DATA_DIR   where CGAL's demo data are, if they are there; else they are kept in ~/.cache
-#   JOBS            how many compilers run at once
+# Without TEST, all tests are run; otherwise those named, and the test that each public header compiles. With --all, the
+# optional dependency OpenMesh is installed as well. With --cgal-of, the CGAL of another Debian release, such as trixie, is
+# used; it is unpacked, not installed. Environment variables:
+#   CGAL_DIR        a CGAL other than the system's
+#   CGAL_DATA_DIR   CGAL's demo data; by default, it is downloaded to ~/.cache
+#   JOBS            the number of compilers that run at once
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=../cmake/setup.sh
 source "$(dirname "${BASH_SOURCE[0]}")/../cmake/setup.sh"

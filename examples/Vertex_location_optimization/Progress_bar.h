@@ -18,7 +18,7 @@
 #include <cstdio>
 #include <iostream>
 
-// whether someone is looking
+// whether the output is a terminal
 inline bool is_terminal()
 {
 #ifdef _WIN32

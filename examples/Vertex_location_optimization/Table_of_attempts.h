@@ -13,7 +13,7 @@
 #include <cstdio>
 #include <iostream>
 
-// Prints a row for each attempt of a search, and shows on a terminal what goes on in it.
+// Prints a row for each attempt of a search, and shows its progress on a terminal.
 class Table_of_attempts : public CGAL::Polygon_mesh_processing::Tolerance_default_visitor
 {
 public:

@@ -29,8 +29,8 @@
 #include <utility>
 #include <vector>
 
-// What a file says of a mesh beside its shape. CGAL's readers of PLY and OFF make "v:color" and "v:normal" of it, and the
-// texture coordinates of an OBJ file are read here, to "h:texture".
+// The attributes of a mesh in a file. CGAL's readers of PLY and OFF store them as "v:color" and "v:normal"; the texture
+// coordinates of an OBJ file are read here, to "h:texture".
 template <typename Point>
 struct Mesh_attributes
 {
@@ -154,7 +154,7 @@ void read_texture(const std::string& name, CGAL::Surface_mesh<Point>& mesh)
     }
 }
 
-// Reads a mesh with its attributes. Returns false if it is unreadable, or no mesh as it stands; the mesh is then empty.
+// Reads a mesh with its attributes. Returns false if it is unreadable or not a valid mesh; the mesh is then empty.
 template <typename Point>
 bool read_mesh_with_attributes(const std::string& name, CGAL::Surface_mesh<Point>& mesh)
 {
@@ -187,7 +187,7 @@ bool is_texture_seam(const Mesh& mesh, const TextureMap& texture, typename Mesh:
   return !mesh.is_border(e) && (texture[h] != texture[mesh.prev(o)] || texture[o] != texture[mesh.prev(h)]);
 }
 
-// Gives a remesh, with the seams that are marked, what the input has.
+// Transfers the attributes of the input to a remesh with marked seams.
 template <typename ConcurrencyTag, typename Point, typename Reference, typename SeamMap>
 void transfer_attributes(const CGAL::Surface_mesh<Point>& input,
                          const Reference& reference,
@@ -254,7 +254,7 @@ void write_textured_OBJ(const std::string& name, const CGAL::Surface_mesh<Point>
   });
 }
 
-// Writes a mesh with the attributes that its format, which the extension of the name says, can hold.
+// Writes a mesh with the attributes that its format, given by the extension of the name, supports.
 template <typename Point>
 void write_mesh_with_attributes(const std::string& name, const CGAL::Surface_mesh<Point>& mesh)
 {

@@ -55,7 +55,7 @@ inline std::vector<std::string> read_words(const std::string& name)
   return words;
 }
 
-// Says what is wrong with an OFF file that could not be read; empty: nothing that is known.
+// Says what is wrong with an OFF file that could not be read; empty if nothing was found.
 inline std::string find_error_of_OFF(const std::vector<std::string>& words)
 {
   if(words.empty() || words[0].size() < 3 || words[0].substr(words[0].size() - 3) != "OFF")
@@ -80,7 +80,7 @@ inline std::string find_error(const std::string& name, const std::string& extens
   return error.empty() ? "it is truncated or malformed" : error;
 }
 
-// Throws where a file cannot be a mesh that can be read.
+// Throws if a file cannot be a readable mesh.
 inline void check_file(const std::string& name, const std::string& extension)
 {
   require_of_file(std::filesystem::exists(name), name, "there is no such file");
@@ -97,7 +97,7 @@ inline void check_file(const std::string& name, const std::string& extension)
                   "it is a binary OFF file, which is not read; write it as text");
 }
 
-// Reads what is no manifold mesh as it stands: as faces, of which a mesh is made. Its attributes are lost.
+// Reads a file that is not a manifold mesh, as a polygon soup from which a mesh is made. Its attributes are lost.
 template <typename Point>
 void read_and_repair(const std::string& name, const std::string& extension, CGAL::Surface_mesh<Point>& mesh)
 {
@@ -116,7 +116,7 @@ void read_and_repair(const std::string& name, const std::string& extension, CGAL
                 points.size() - number_of_points);
 }
 
-// Reads a mesh with its attributes, and throws where that is not possible.
+// Reads a mesh with its attributes, and throws if that is not possible.
 template <typename Point>
 CGAL::Surface_mesh<Point> read_mesh(const std::string& name)
 {
@@ -142,7 +142,7 @@ CGAL::Surface_mesh<Point> read_mesh(const std::string& name)
   return mesh;
 }
 
-// The same for a mesh that has to consist of triangles, into which its faces are split if that is asked for.
+// The same for a mesh that must consist of triangles, into which its faces are split on request.
 template <typename Point>
 CGAL::Surface_mesh<Point> read_triangle_mesh(const std::string& name, const bool is_triangulated)
 {

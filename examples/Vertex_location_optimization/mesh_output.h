@@ -21,8 +21,8 @@
 #include <stdexcept>
 #include <string>
 
-// Writes a file with `write(name)`, which returns whether it succeeded. The file appears when it is complete: it is
-// written beside its place and then moved there.
+// Writes a file with `write(name)`, which returns whether it succeeded. The file is first written under another name and
+// renamed when complete.
 template <typename Write>
 void write_file(const std::filesystem::path& path, const Write& write)
 {
@@ -60,7 +60,7 @@ void write_mesh(const std::string& name, const CGAL::Surface_mesh<Point>& mesh)
 {
   const std::string extension = std::filesystem::path(name).extension().string();
   write_file(name, [&](const std::string& partial) {
-    // not by the name: what a full disk does to the end of the file would not be noticed
+    // not by the name: a disk that is full at the end of the file would not be noticed
     std::ofstream out(partial, std::ios::binary);
     const auto np = CGAL::parameters::stream_precision(17);
     if(extension == ".obj")

@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Keeps the colors of a mesh in a remesh. Writes the mesh, the remesh with the colors at the closest points of its vertices,
-// and with those that are fitted.
+// and the remesh with fitted colors.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/IO/Color.h>

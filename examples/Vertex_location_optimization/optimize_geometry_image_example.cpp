@@ -3,10 +3,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A geometry image is down-sampled and optimized: optimize_geometry_image_example [INPUT [STEP [PREFIX]]]
+// Down-samples and optimizes a geometry image: optimize_geometry_image_example [INPUT [STEP [PREFIX]]]
 //
-// INPUT is an image, .gim or .pfm, or a mesh with one border, of which an image is made. STEP is how many rows and columns
-// become one. PREFIX is what the names of the written files begin with.
+// INPUT is an image, .gim or .pfm, or a mesh with one border, from which an image is made. Every STEP-th row and column is
+// kept. PREFIX is that of the names of the written files.
 
 #include "mesh_output.h"
 

@@ -38,12 +38,12 @@ int main(int argc, char* argv[])
   const PMP::PN_triangle_surface<Mesh> surface(input);
   const auto before = PMP::approximation_error(remesh, surface);
 
-  // Another mesh shares this border: it must stay.
+  // If another mesh shares this border, it must not move.
   Mesh with_fixed_border = remesh;
   PMP::optimize_vertex_locations<CGAL::Parallel_if_available_tag>(with_fixed_border, surface);
   const auto fixed = PMP::approximation_error(with_fixed_border, surface);
 
-  // No other mesh does: the border may follow that of the input.
+  // Otherwise, the border may follow that of the input.
   PMP::optimize_vertex_locations<CGAL::Parallel_if_available_tag>(remesh, surface,
                                                                   CGAL::parameters::relax_constraints(true));
   const auto relaxed = PMP::approximation_error(remesh, surface);

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A mesh of quads approximates a subdivision surface better when its vertices leave that surface. Then the same for a part
-// of it.
+// Moves the vertices of a quad mesh off a subdivision surface to approximate it better, first for the whole mesh, then for a
+// part of it.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/approximation_error.h>
@@ -35,7 +35,7 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
 
-  // The quads of a coarse step of the subdivision, with their vertices where they are after some more.
+  // The quads of a coarse step of the subdivision, with their vertices moved to their positions after further steps.
   Mesh quads = control_mesh;
   CGAL::Subdivision_method_3::CatmullClark_subdivision(quads);
   Mesh surface = quads;
@@ -47,7 +47,7 @@ int main(int argc, char* argv[])
   Mesh optimized = quads;
   PMP::optimize_vertex_locations<CGAL::Parallel_if_available_tag>(optimized, reference);
 
-  // Only some of the faces: the rest stays.
+  // Only some of the faces: the rest does not change.
   std::vector<Mesh::Face_index> selection;
   for(Mesh::Face_index f : quads.faces())
     if(quads.point(quads.target(quads.halfedge(f))).x() > 0)
@@ -60,7 +60,7 @@ int main(int argc, char* argv[])
             << " of them " << PMP::approximation_error(selection, quads, reference).mean << " before, "
             << PMP::approximation_error(selection, half, reference).mean << " after" << std::endl;
 
-  if(argc > 2) // the beginning of the names of files
+  if(argc > 2) // the prefix of the names of the files
   {
     const std::string prefix = argv[2];
     PMP::triangulate_faces(surface);

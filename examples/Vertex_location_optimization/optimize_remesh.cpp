@@ -3,7 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Remeshes a surface, optimizes the locations of the vertices, and tells and shows what it gained.
+// Remeshes a surface, optimizes the locations of the vertices, and reports and shows the gain.
 
 #include "mesh_attributes.h"
 #include "mesh_input.h"
@@ -81,7 +81,7 @@ void print_measured(const Mesh& before, const Mesh& after, const Mesh& input, co
 template <typename Surface>
 Error_map measure_vertex_errors(Mesh& mesh, const Surface& reference)
 {
-  constexpr std::size_t points_per_face = 9; // few: no eye sees more
+  constexpr std::size_t points_per_face = 9; // more would make no visible difference
   const Error_map errors = mesh.add_property_map<Mesh::Vertex_index, double>("v:error").first;
   PMP::approximation_error<Concurrency>(
     mesh, reference, CGAL::parameters::vertex_error_map(errors).number_of_points_per_face(points_per_face));
@@ -122,7 +122,7 @@ optimize(const Settings& s, Mesh& mesh, Crease_map is_crease, const Surface& ref
       .visitor(std::ref(progress)));
 }
 
-// Writes a mesh, and twice its errors.
+// Writes a mesh, and its errors in two formats.
 template <typename Surface>
 void write_with_errors(
   const Settings& s, const std::string& name, Mesh& mesh, const Surface& reference, double largest_color)
@@ -216,7 +216,7 @@ bool remesh_within_tolerance(const Settings& s, Mesh& input)
   return remesh_within_tolerance(s, input, is_crease, PMP::PN_triangle_surface<Mesh>(input, creases));
 }
 
-// Makes fewer or more regular faces of a mesh.
+// Simplifies or remeshes a mesh.
 void remesh(const Settings& s, Crease_map is_crease, Mesh& mesh)
 {
   namespace SMS = CGAL::Surface_mesh_simplification;
@@ -235,7 +235,7 @@ void remesh(const Settings& s, Crease_map is_crease, Mesh& mesh)
   mesh.collect_garbage();
 }
 
-// Returns whether the result is as good as was asked for.
+// Returns whether the result is as good as requested.
 bool run(const Settings& s)
 {
   Mesh input = read_triangle_mesh<Point>(s.input, s.is_triangulated);

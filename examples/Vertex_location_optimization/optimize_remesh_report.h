@@ -3,7 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What optimize_remesh measures and prints of a run.
+// What optimize_remesh measures and prints about a run.
 
 #ifndef VERTEX_LOCATION_OPTIMIZATION_EXAMPLES_OPTIMIZE_REMESH_REPORT_H
 #define VERTEX_LOCATION_OPTIMIZATION_EXAMPLES_OPTIMIZE_REMESH_REPORT_H
@@ -25,7 +25,7 @@ double longest_side(const Mesh& mesh)
   return (std::max)({ box.x_span(), box.y_span(), box.z_span() });
 }
 
-// The input with four faces in the place of one, on the surface that it stands for.
+// The input with each face divided into four, on the surface that it represents.
 template <typename Mesh, typename Surface>
 Mesh refine(const Mesh& mesh, const Surface& reference)
 {
@@ -36,7 +36,7 @@ Mesh refine(const Mesh& mesh, const Surface& reference)
   return refined;
 }
 
-// how regular the faces are: smallest angles in degrees
+// the regularity of the faces: smallest angles in degrees
 struct Regularity
 {
   double mean = 0;
@@ -69,7 +69,7 @@ inline void print_reference(const CGAL::Polygon_mesh_processing::Reference_surfa
                 reference.mean_deviation / side * 1e4, reference.maximum_deviation / side * 1e4);
 }
 
-// How many vertices moved, and if they are few what kept the others.
+// The number of vertices that moved, and if there are few, why the others did not.
 inline void print_moves(const CGAL::Polygon_mesh_processing::Vertex_location_optimization_report& report,
                         std::size_t number_of_vertices)
 {
@@ -110,7 +110,7 @@ inline void print_errors(const CGAL::Polygon_mesh_processing::Approximation_erro
   print_error("maximum" + direction, before.max, after.max, side);
 }
 
-// The errors as the guarantee has measured them, and the shape of the faces.
+// The errors as measured for the guarantee, and the shape of the faces.
 inline void print_table(const CGAL::Polygon_mesh_processing::Vertex_location_optimization_report& report,
                         const Regularity& before,
                         const Regularity& after,

@@ -26,12 +26,12 @@ struct Settings
 {
   std::string input;
   std::string remesh;        // instead of remeshing
-  std::string output = "./"; // what the names of the files begin with
+  std::string output = "./"; // prefix of the names of the files
   std::string format;        // empty: that of the input
   std::string reference = "pn";
   double edge_length = 0.02;
   bool is_absolute = false;
-  double tolerance = 0; // 0: none, the edge length is given
+  double tolerance = 0; // 0: the edge length is given instead
   bool is_tolerance_relative = false;
   CGAL::Polygon_mesh_processing::Tolerated_error tolerated_error = CGAL::Polygon_mesh_processing::MAXIMUM_ERROR;
   std::optional<int> simplify; // the number of vertices, instead of remeshing
@@ -40,7 +40,7 @@ struct Settings
   double sharpness_angle = 40;
   std::size_t iterations = 30;
   std::size_t free_iterations = 20;
-  std::optional<std::size_t> relaxation_steps; // none: it follows the mesh, and so does the weight
+  std::optional<std::size_t> relaxation_steps; // by default it depends on the mesh, as does the weight
   bool is_least_squares = false;
   std::optional<double> regularity_weight; // of least squares
   bool guarantee_both_directions = false;
@@ -53,7 +53,7 @@ struct Settings
   double largest_color = 0; // 0: three times the mean error of the remesh
 };
 
-// the extension of a file name, if meshes can be written so
+// the extension of a file name, if it is a supported format
 inline std::string format_of(const std::string& name)
 {
   const std::string extension = std::filesystem::path(name).extension().string();
@@ -76,44 +76,46 @@ inline boost::program_options::options_description describe_options(Settings& s)
     ("absolute,a", po::bool_switch(&s.is_absolute), "the edge length is in the unit of the input")
     ("tolerance,t", po::value<std::string>(),
      "instead of an edge length: find the coarsest remesh whose largest distance from the faces of the input, in both "
-     "directions, is at most this length, or percentage of the longest side, as in 0.5%; implies --least-squares and "
-     "--relax-constraints, and --reference flat unless another one is given")
-    ("tolerated-error", po::value<std::string>()->default_value("max"), "what --tolerance is for: max, mean or rms")
+     "directions, is at most this length, or this percentage of the longest side, as in 0.5%; implies "
+     "--least-squares, --relax-constraints, and --reference flat unless another reference is given")
+    ("tolerated-error", po::value<std::string>()->default_value("max"),
+     "the error that --tolerance bounds: max, mean or rms")
     ("remesh,r", po::value(&s.remesh),
-     "take this remesh, with faces of any number of corners, instead of remeshing the input")
-    ("triangulate", po::bool_switch(&s.is_triangulated), "make triangles of the faces of the input")
+     "use this remesh, whose faces may have any number of corners, instead of remeshing the input")
+    ("triangulate", po::bool_switch(&s.is_triangulated), "triangulate the faces of the input")
     ("simplify", po::value<int>()->notifier([&s](int n) { s.simplify = n; }),
-     "instead of remeshing the input, simplify it by edge_collapse() to about so many vertices")
+     "instead of remeshing the input, simplify it by edge_collapse() to about this number of vertices")
     ("remeshing-iterations", po::value(&s.remeshing_iterations)->default_value(s.remeshing_iterations),
-     "iterations of isotropic_remeshing()")
+     "number of iterations of isotropic_remeshing()")
     ("crease-angle,c", po::value(&s.crease_angle)->default_value(s.crease_angle, "180"),
      "constrain the edges that are sharper than this angle, in degrees")
-    ("relax-constraints", po::bool_switch(&s.relax_constraints), "fit creases and borders along themselves")
+    ("relax-constraints", po::bool_switch(&s.relax_constraints), "fit creases and borders to those of the input")
     ("reference", po::value(&s.reference)->default_value(s.reference),
-     "what the input stands for: pn, a smooth surface, or flat, its faces as they are")
+     "the surface that the input represents: pn, a smooth surface, or flat, its faces as they are")
     ("sharpness-angle", po::value(&s.sharpness_angle)->default_value(s.sharpness_angle, "40"),
-     "where the smooth surface has creases, in degrees")
-    ("iterations,n", po::value(&s.iterations)->default_value(s.iterations), "iterations of the optimization at most")
+     "the smooth surface has creases at edges sharper than this angle, in degrees")
+    ("iterations,n", po::value(&s.iterations)->default_value(s.iterations),
+     "maximum number of iterations of the optimization")
     ("free-iterations", po::value(&s.free_iterations)->default_value(s.free_iterations),
-     "so many of them are not restricted to the normals")
+     "number of initial iterations in which moves are not restricted to the normals")
     ("relaxation-steps", po::value<std::size_t>()->notifier([&s](std::size_t n) { s.relaxation_steps = n; }),
-     "steps of the springs in each free iteration; default: follows the mesh")
+     "number of relaxation steps in each free iteration; default: depends on the mesh")
     ("least-squares", po::bool_switch(&s.is_least_squares),
-     "place the vertices by least squares over both surfaces instead of the piecewise linear method")
+     "place the vertices by least squares over both surfaces instead of by the piecewise linear method")
     ("regularity-weight", po::value<double>()->notifier([&s](double weight) { s.regularity_weight = weight; }),
-     "what the shape of the triangles counts in least squares; default: follows the mesh")
+     "weight of the shape of the triangles in least squares; default: depends on the mesh")
     ("both-directions", po::bool_switch(&s.guarantee_both_directions),
-     "let the distance from the input to the mesh not become larger either, as least squares and --tolerance always do")
+     "also keep the distance from the input to the mesh from increasing, as least squares and --tolerance always do")
     ("preserve-volume", po::bool_switch(&s.preserve_volume), "give a closed mesh the volume of the input")
     ("test-self-intersections", po::bool_switch(&s.test_self_intersections),
-     "cause no new self-intersection; least squares never does")
+     "allow no new self-intersections; least squares never does")
     ("measure", po::bool_switch(&s.is_measured),
-     "measure the errors before and after densely, in both directions, beside those that the optimization knows of itself")
+     "also measure the errors before and after densely, in both directions")
     ("sequential", po::bool_switch(&s.is_sequential), "use one thread")
-    ("output,o", po::value(&s.output)->default_value(s.output), "what the names of the written files begin with")
+    ("output,o", po::value(&s.output)->default_value(s.output), "prefix of the names of the written files")
     ("format", po::value(&s.format), "format of the meshes: off, obj, ply, stl; default: that of the input")
     ("largest-color", po::value(&s.largest_color),
-     "the error that is yellow, in the unit of the input; default: three times the mean error of the remesh");
+     "the error that is shown in yellow, in the unit of the input; default: three times the mean error of the remesh");
   // clang-format on
   return options;
 }
@@ -167,7 +169,7 @@ inline void read_tolerated_error(const std::string& text, Settings& s)
   throw std::runtime_error("--tolerated-error must be max, mean or rms");
 }
 
-// Reads what is about a tolerance.
+// Reads the options about a tolerance.
 inline void read_tolerance_options(const boost::program_options::variables_map& values, Settings& s)
 {
   read_tolerated_error(values["tolerated-error"].as<std::string>(), s);
@@ -181,14 +183,14 @@ inline void read_tolerance_options(const boost::program_options::variables_map& 
     s.reference = "flat";
 }
 
-// Throws where two options say differently how the mesh is made.
+// Throws if two options contradict each other about how the mesh is made.
 inline void check_remesher(const boost::program_options::variables_map& values)
 {
   if(values.count("simplify") && (values.count("remesh") || values.count("tolerance") || !values["edge-length"].defaulted()))
     throw std::runtime_error("--simplify goes with neither --edge-length nor --remesh nor --tolerance");
 }
 
-// Reads the command line. Returns false if it asks for help, which is given.
+// Reads the command line. Prints the help and returns false if it asks for that.
 inline bool read_settings(int argc, char* argv[], Settings& s)
 {
   namespace po = boost::program_options;
@@ -206,10 +208,10 @@ inline bool read_settings(int argc, char* argv[], Settings& s)
   {
     std::cout << "Usage: optimize_remesh [options] MESH\n\n"
               << "Remeshes MESH, optimizes the locations of the vertices, prints the errors before and after, and\n"
-              << "writes remesh and optimized, each also with its errors as colors (.ply) and as a scalar (.vtp);\n"
-              << "with --tolerance optimized only, and it exits with 2 if no remesh is within the tolerance.\n"
-              << "Both keep the colors and normals of the vertices that MESH has (.ply, .off), and its texture\n"
-              << "coordinates (.obj).\n\n"
+              << "writes the meshes as remesh and optimized, each also with its errors as colors (.ply) and as a\n"
+              << "scalar (.vtp). With --tolerance, only optimized is written, and the exit status is 2 if no remesh\n"
+              << "is within the tolerance. Both meshes keep the colors and normals of the vertices of MESH (.ply,\n"
+              << ".off), and its texture coordinates (.obj).\n\n"
               << options;
     return false;
   }

@@ -3,7 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Writes an optimized remesh without normals, with its own and with those that are fitted to the input, and the input.
+// Writes an optimized remesh without normals, with its own normals, and with normals fitted to those of the input; and the
+// input.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/approximation_error.h>

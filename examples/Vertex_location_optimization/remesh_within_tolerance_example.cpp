@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The coarsest remesh of a mechanical part that is nowhere farther from it than a tolerance. The remesher keeps the sharp
-// edges of the part; what it is told to keep comes in two maps.
+// Finds the coarsest remesh of a mechanical part that is nowhere farther from the part than a tolerance. The remesher
+// preserves the sharp edges and the corners of the part, which it receives in two maps.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>

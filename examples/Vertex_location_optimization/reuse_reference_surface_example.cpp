@@ -3,7 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The reference surface is made once and serves for remeshes of several resolutions.
+// The reference surface is constructed once and used for remeshes of several resolutions.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/approximation_error.h>

@@ -108,7 +108,7 @@ inline boost::program_options::options_description describe_options(Settings& s)
      "also keep the distance from the input to the mesh from increasing, as least squares and --tolerance always do")
     ("preserve-volume", po::bool_switch(&s.preserve_volume), "give a closed mesh the volume of the input")
     ("test-self-intersections", po::bool_switch(&s.test_self_intersections),
-     "allow no new self-intersections; least squares never does")
+     "allow no new self-intersections; implied by --least-squares")
     ("measure", po::bool_switch(&s.is_measured),
      "also measure the errors before and after densely, in both directions")
     ("sequential", po::bool_switch(&s.is_sequential), "use one thread")

@@ -120,14 +120,14 @@ struct Remesh : Mesh_arrays
   std::vector<Point> previous_points;      // of M_t-1; of M_0 in the first iteration
   std::vector<Point> next_points;          // p^_i, which become the points of M_t+1
 
-  // The mean length of the edges around each vertex of M_0. What is relative to the size of the triangles is relative to this,
-  // so that a mesh whose edges differ a hundredfold is treated alike everywhere.
+  // The mean length of the edges around each vertex of M_0. All quantities that are relative to the size of the triangles
+  // refer to it, so that meshes with strongly varying edge lengths are treated alike everywhere.
   const std::vector<double> lengths;
-  Mesh_arrays surroundings; // the rest of the user's mesh, if that matters
+  Mesh_arrays surroundings; // the rest of the user's mesh, if it is needed
   const Index_groups corners_of_vertices;
 
 private:
-  // Averages over two rings of neighbors: those of a single vertex are no measure in a uniform mesh.
+  // Averages over two rings of neighbors, as the edges of a single vertex vary even in a uniform mesh.
   std::vector<double> compute_lengths() const
   {
     std::vector<double> lengths_of_edges(points.size(), 0);

@@ -32,8 +32,8 @@
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
-// Algorithm 1: moves the vertices of the remesh to where its faces approximate the reference best, and makes sure that it is
-// no worse than before. `AllowMove` is a functor (i, source, target) -> bool, `FindSelfIntersections` is a
+// Algorithm 1: moves the vertices of the remesh to where its faces approximate the reference best, and ensures that the
+// result is no worse than the input. `AllowMove` is a functor (i, source, target) -> bool, `FindSelfIntersections` is a
 // `Self_intersection_test`.
 template <typename ConcurrencyTag, typename Reference, typename AllowMove, typename FindSelfIntersections, typename Visitor>
 class Vertex_location_optimizer
@@ -105,7 +105,7 @@ private:
 
     if(!start_phase(Phase::RELAX_VERTICES))
       return false;
-    if(iteration().is_free) // later nothing moves a vertex along the surface that would need a counterforce
+    if(iteration().is_free) // later, no move along the surface needs a counterforce
     {
       placement.relax();
       features.relax(m_remesh, m_options.number_of_relaxation_steps.value_or(default_number_of_relaxation_steps));
@@ -135,7 +135,7 @@ private:
     });
   }
 
-  // Also if the visitor has ended the iterations: what they have reached is no result before it is checked.
+  // Also if the visitor has ended the iterations, as their outcome must be checked before it is a result.
   void enforce_guarantee(std::unique_ptr<Placement<Reference>> placement)
   {
     m_visitor.start_phase(Phase::ENFORCE_GUARANTEE);
@@ -167,7 +167,7 @@ private:
       m_report.final_error_from_reference = guarantee.error_from_reference();
   }
 
-  // Once the vertices have settled there is one more iteration, with exact samples.
+  // Once the vertices have settled, one more iteration with exact samples follows.
   void report_iteration(const bool settles)
   {
     m_report.converged = m_has_settled || (settles && iteration().is_last);
@@ -214,8 +214,8 @@ private:
   Report m_report;
 };
 
-// Whether the guarantee has put back most of the mesh and little is gained: regularity and a smaller error exclude
-// each other, as the weight is.
+// Whether the guarantee has moved most of the mesh back, with little gain: with the present weight, regularity and a smaller
+// error exclude each other.
 inline bool is_in_vain(const Vertex_location_optimization_report& report, const Remesh& remesh)
 {
   constexpr double small_gain = 0.02;
@@ -223,9 +223,9 @@ inline bool is_in_vain(const Vertex_location_optimization_report& report, const 
          report.final_error.mean > (1 - small_gain) * report.initial_error.mean;
 }
 
-// `remesh.points` are the result. If the weight of the regularity turns out to be too large for any gain, it tries smaller
-// ones; the best result counts whose angles are not smaller than those of M_0, on an average: a mesh that is at its end does
-// not go on to trade them for the error. `make_placement(options)` makes a placement.
+// `remesh.points` are the result. If the weight of the regularity turns out to be too large for any gain, smaller ones are
+// tried. The best result is chosen among those whose mean angle is not smaller than that of M_0, so that an optimized mesh
+// does not keep trading angles for the error. `make_placement(options)` makes a placement.
 template <typename ConcurrencyTag,
           typename Reference,
           typename AllowMove,

@@ -32,7 +32,7 @@
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
-// Reads the faces that are not selected, if the placement takes samples of the reference: some are theirs.
+// Reads the faces that are not selected if the placement samples the reference, as some of these samples belong to them.
 template <typename PolygonMesh, typename VertexPointMap, typename Selection>
 void read_surroundings(const PolygonMesh& pmesh,
                        const VertexPointMap& vpm,
@@ -115,7 +115,7 @@ Vertex_location_optimization_report optimize_faces(PolygonMesh& pmesh,
   Mesh_descriptors<PolygonMesh> descriptors;
   if(!read_faces(pmesh, vpm, selection, mesh, descriptors))
     return {};
-  // the lengths of the edges of quads differ on purpose, and the springs would even them
+  // the lengths of the edges of quads differ on purpose, and springs would equalize them
   if(mesh.has_polygons() && !options.number_of_relaxation_steps)
     options.number_of_relaxation_steps = 0;
   Constraints constraints = read_constraints(pmesh, selection, mesh, descriptors, vpm, np1);

@@ -39,7 +39,7 @@ struct Allow_all_moves
   }
 };
 
-// What a parameter is, which can be given as an `std::optional`, too; an empty one is the default.
+// The value of a parameter, which can also be given as a `std::optional`; an empty one stands for the default.
 inline std::optional<double> to_optional_double(const std::optional<double>& parameter) { return parameter; }
 
 template <typename Number>
@@ -91,9 +91,9 @@ void for_each_coincident_vertex(const std::vector<Point>& points, const F& f)
     }
 }
 
-// What the user's constraints and the borders keep from moving freely. Constrained edges and the border of `pmesh` hold their
-// vertices or, if `relax_constraints`, guide them. The vertices of faces that are not selected stay, and so do vertices at the
-// same point, as they must not part.
+// The vertices that constraints and borders keep from moving freely. Constrained edges and the border of `pmesh` hold their
+// vertices or, with `relax_constraints`, guide them. The vertices of faces that are not selected stay, and so do vertices at
+// the same point, as they must not separate.
 template <typename PolygonMesh, typename Selection, typename VertexPointMap, typename NamedParameters>
 Constraints read_constraints(const PolygonMesh& pmesh,
                              const Selection& selection,
@@ -124,7 +124,7 @@ Constraints read_constraints(const PolygonMesh& pmesh,
     if(get(vertex_is_constrained, descriptors.vertices[i]) || !selection.has_all_faces_at(descriptors.vertices[i]))
       constraints.kinds[i] = Vertex_kind::FIXED;
 
-  std::vector<Point> points = mesh.points; // and then those of the vertices that are not read
+  std::vector<Point> points = mesh.points; // followed by those of the vertices that are not read
   if constexpr(!Selection::is_whole_mesh)
     for(auto v : vertices(pmesh))
       if(!selection.has_vertex(v))

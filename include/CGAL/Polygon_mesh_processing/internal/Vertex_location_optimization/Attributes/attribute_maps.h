@@ -33,8 +33,8 @@ struct Is_corner_map : std::is_same<typename boost::property_traits<Map>::key_ty
                                     typename boost::graph_traits<TriangleMesh>::halfedge_descriptor>
 {};
 
-// Whether a map has a value for a key. It is known of the maps of `Surface_mesh`: one that was made for another mesh, or
-// that was removed, may have none.
+// Whether a map has a value for a key. This can be tested for the maps of `Surface_mesh`: a map of another mesh, or a
+// removed one, may have no value.
 template <typename Map, typename Key>
 bool has_value_for(const Map& map, const Key& key)
 {

@@ -34,7 +34,7 @@
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
-// a label by itself: a vector of `bool` has no elements
+// wrapped, as `std::vector<bool>` has no references to its elements
 template <typename T>
 struct Label
 {

@@ -28,10 +28,10 @@
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
-// The values at nodes whose linear interpolation over the faces of a mesh is closest to the samples of a signal, in the mean
-// of the squares: the solution of M x = b with the mass matrix M of the nodes. The eigenvalues of M, scaled by its diagonal,
+// The values at nodes whose linear interpolation over the faces of a mesh is closest to the samples of a signal in the least
+// squares sense: the solution of M x = b with the mass matrix M of the nodes. The eigenvalues of M, scaled by its diagonal,
 // lie between 1/2 and 2 for any mesh (Wathen, Realistic eigenvalue bounds for the Galerkin mass matrix, 1987), so that a
-// fixed number of Chebyshev's iterations solves it, each of which reduces the error to a third. An iteration is a loop over
+// fixed number of Chebyshev iterations solves it, each of which reduces the error to a third. An iteration is a loop over
 // the nodes; it needs no sums over the mesh.
 template <typename Value>
 class Signal_fit
@@ -154,8 +154,8 @@ private:
       m_values[i][k] = (std::min)((std::max)(m_values[i][k], min[k]), max[k]);
   }
 
-  // Sees to it that the mean of the differences to the samples is not larger than with the samples at the nodes. As long as
-  // it is, the nodes of the faces with a larger one take these back.
+  // Ensures that the mean difference to the samples is not larger than with the samples at the nodes as values. As long as
+  // it is, these values are restored at the nodes of the faces with larger differences.
   template <typename ConcurrencyTag>
   void take_back_harm(const std::vector<Value>& sampled)
   {

@@ -93,8 +93,7 @@ private:
     });
   }
 
-  // Half as many samples as there are faces of the reference at least, so that what is finer than the faces of the mesh is
-  // averaged.
+  // At least half as many samples as the reference has faces, so that details finer than the faces of the mesh are averaged.
   std::size_t pieces_of(std::size_t f) const
   {
     double area = m_signal.reference().area_at(m_anchors[f]);

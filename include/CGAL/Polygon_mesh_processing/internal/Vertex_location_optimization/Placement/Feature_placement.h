@@ -176,9 +176,9 @@ private:
     }
   }
 
-  // The foot of the midpoint of an edge. The first one decides which curve the edge follows, unless it cuts off a corner that
-  // one of its ends is on the way to; there is none where the edge goes another way than the curve, beyond its end, or farther
-  // from it than a quarter of its length.
+  // The foot of the midpoint of an edge. The first foot decides which curve the edge follows, unless the edge cuts off a
+  // corner that one of its ends moves to. There is no foot if the edge differs from the curve in direction, extends beyond
+  // the end of the curve, or is farther from it than a quarter of its length.
   void find_midpoint_foot(const Remesh& remesh, Feature_edge& edge) const
   {
     const Point &p = remesh.points[remesh.edges[edge.edge][0]], &q = remesh.points[remesh.edges[edge.edge][1]];

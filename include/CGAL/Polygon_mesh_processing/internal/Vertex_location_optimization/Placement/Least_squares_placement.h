@@ -81,8 +81,8 @@ public:
     return measure;
   }
 
-  // While the vertices move far the samples of the reference are taken anew now and then: so they stay as dense as the faces
-  // are, and the fit does not keep to the same few points.
+  // While the vertices still move far, the reference is resampled at intervals, so that the density of the samples follows
+  // that of the faces, and the fit does not adapt to a single set of points.
   void resample(const Iteration& iteration) override
   {
     constexpr double all = -1; // no face's vertices have gone less far
@@ -100,7 +100,7 @@ public:
 
   // Moves each free vertex towards the least squares fit of its faces to the samples of both surfaces, its neighbors held
   // fixed. The equations of the vertices are solved independently of each other, hence the relaxation factor; part of the
-  // last displacement is repeated to get there sooner. A vertex whose samples fit stays.
+  // last displacement is repeated to get there sooner. A vertex whose samples already fit does not move.
   void place(const Iteration&) override
   {
     // found by trial: they trade speed for settling; max_step is relative to the length of the edges
@@ -132,13 +132,13 @@ public:
 
   void relax() override {} // the equations do it
 
-  // The vertices swing about the surface first, those whose moves are shortened always, and all slide on: what counts is
-  // the displacement along the normals, in two iterations. It is compared with the distances that are left: whoever wants one
-  // percent of these need not wait for less.
+  // At first, the vertices oscillate about the surface, those whose moves are shortened permanently, and all vertices keep
+  // sliding along it. The criterion is therefore the displacement along the normals over two iterations, relative to the
+  // remaining distances: much smaller displacements no longer matter.
   bool has_settled() override
   {
-    // They trade time for the error: on remeshes it ends within 1 or 2% of the error of 30 iterations. The second is relative
-    // to the lengths of the edges.
+    // They trade time for the error: on remeshes, the fit ends within 1 or 2% of the error of 30 iterations. The second is
+    // relative to the lengths of the edges.
     constexpr double part_of_distance = 0.05, smallest_displacement = 1e-4;
     double sum = 0;
     for(std::size_t i = 0; i < m_remesh.points.size(); ++i)
@@ -154,7 +154,7 @@ private:
   bool are_area_samples_due() const
   {
     constexpr int period = 3, last = 12; // iterations; they trade time for the error, by 1% on remeshes and 4% at creases
-    // polygons, each of which is many overlapping triangles, do not settle by so much with samples that change
+    // polygons, each of which is many overlapping triangles, do not settle as well if their samples change
     return !m_remesh.has_polygons() && m_number_of_resamplings % period == 0 && m_number_of_resamplings <= last;
   }
 
@@ -182,7 +182,7 @@ private:
     return { std::clamp(travel_by_displacement * m_displacement_along_normals, min_travel, max_travel), max_distance, true };
   }
 
-  // what the samples in face f, but for those at its vertices, say to each of its vertices
+  // the equations of the samples in face f, except for those at its vertices, for each of its vertices
   std::array<Vertex_equations, 3> face_equations(const std::size_t f) const
   {
     const std::array<Point, 3> t = m_remesh.triangle(f);
@@ -236,13 +236,13 @@ private:
     return sum / number_of_polygons;
   }
 
-  // All faces weigh the same here, as in the mean of their angles. Where M_0 is irregular its shapes are kept rather than made
-  // regular. The smaller the present error around, the less of it is given for regularity.
+  // All faces have the same weight, as in the mean of their angles. Where M_0 is irregular, its shapes are preserved rather
+  // than made regular. The smaller the current error is, the less of it is traded for regularity.
   double pull_weight(const std::size_t i, const Vertex_equations& of_vertex, const double mean_residual) const
   {
     // found by trial, on remeshes and on simplified meshes; they trade the angles for the error
     constexpr double part_of_irregular = 0.27;
-    constexpr double small_error = 0.03; // relative to the length of the edges; from there on it counts in full
+    constexpr double small_error = 0.03; // relative to the length of the edges; above it, regularity has its full weight
     const double x = mean_residual / (small_error * m_remesh.lengths[i]);
     const double of_error = x / std::sqrt(std::sqrt(1 + square(square(x))));
     const double of_shapes = std::pow(part_of_irregular, 1 - m_regularity[i]);
@@ -250,8 +250,8 @@ private:
     return m_regularity_weight * of_error * of_shapes * of_vertex.number_of_faces * equilateral_area;
   }
 
-  // The power by which large distances count for less. Where regularity counts for little it comes nearer to 1, with which
-  // the mean distance itself is fitted: simplified meshes have small errors nearly everywhere.
+  // The power by which large distances are weighted down. It is closer to 1, for which the mean distance itself is
+  // minimized, where regularity has little weight: simplified meshes have small errors nearly everywhere.
   static double reweighting(const double regularity)
   {
     constexpr double of_regular = 0.5, of_irregular = 0.7;

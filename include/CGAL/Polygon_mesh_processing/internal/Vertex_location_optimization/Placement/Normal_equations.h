@@ -33,8 +33,8 @@ public:
   Normal_equations() = default;
 
   // Those of a sample at the vertex: along `normal` it should move by `offset`, from the remesh to the reference. `area` is
-  // what the sample stands for. Reweighting makes the squares the power 2 - `reweighting` of the distances, but for the
-  // smallest: that lowers the mean distance at the same regularity, as a few bad places count for less.
+  // what the sample stands for. Reweighting replaces the squares of the distances, except for the smallest, by the power 2 -
+  // `reweighting`. It lowers the mean distance at the same regularity, as a few bad places have less influence.
   Normal_equations(
     const Vector& normal, const Vector& offset, const double area, const double length, const double reweighting)
   {
@@ -49,7 +49,7 @@ public:
     m_sum_of_residuals = area * std::abs(residual);
   }
 
-  // adds those of a sample of whose displacement the vertex makes the part `lambda`
+  // adds those of a sample that moves by `lambda` times the displacement of the vertex
   void add(const Normal_equations& of_sample, const double lambda)
   {
     for(int k = 0; k < 6; ++k)
@@ -69,8 +69,8 @@ public:
     return *this;
   }
 
-  // The solution if the vertex is pulled, too, in the directions in which the rows say little: along a smooth surface,
-  // but not across a crease. `epsilon` is small beside the weights and keeps the system regular.
+  // The solution with the vertex pulled in the directions that the rows hardly determine: along a smooth surface, but not
+  // across a crease. `epsilon` is small beside the weights and keeps the system regular.
   Vector solve(const Vector& pull, const double pull_weight, const double epsilon) const
   {
     Diagonalize_traits::Vector h; // the eigenvalues, in increasing order
@@ -78,7 +78,7 @@ public:
     if(!Diagonalize_traits::diagonalize_selfadjoint_covariance_matrix(m_H, h, e) || !(h[2] > 0))
       return NULL_VECTOR;
 
-    // a direction about which the rows say half of what they say about the best known one is not pulled
+    // no pull in directions determined at least half as well as the best determined one
     constexpr double softness = 2;
     Vector d = NULL_VECTOR;
     for(int k = 0; k < 3; ++k)

@@ -46,8 +46,8 @@ struct Piecewise_linear_sums
   }
 };
 
-// The paper's method, sections 3.2 and 3.3: the piecewise linear surface closest to the samples, as far as one vertex with
-// its faces can tell, with springs between the vertices.
+// The paper's method, sections 3.2 and 3.3: the piecewise linear surface closest to the samples, fitted vertex by vertex
+// over the faces around each, with springs between the vertices.
 template <typename ConcurrencyTag, typename Reference>
 class Piecewise_linear_placement : public Placement<Reference>
 {
@@ -78,9 +78,9 @@ public:
       m_samples.template update<ConcurrencyTag>(m_reference, m_remesh, tolerance(iteration));
   }
 
-  // What is fitted, with the areas of the faces of M_t for weights, is the way from M_t to the samples: what is linear in
-  // each face, as M_t is, cancels out. After the free iterations only the part of the update along n_i is taken, measured
-  // from p_i. A vertex whose faces have no area stays.
+  // The fit is to the displacements from M_t to the samples, weighted by the areas of the faces of M_t: M_t itself is linear
+  // in each face and cancels out. After the free iterations, only the component of the update along n_i is applied, measured
+  // from p_i. A vertex whose faces have no area does not move.
   void place(const Iteration& iteration) override
   {
     const auto sums_of_face = [&](std::size_t f) {
@@ -127,7 +127,8 @@ public:
   }
 
 private:
-  // Along the normal a vertex moves over its foot: once all samples have been searched when that begins, they stay.
+  // A vertex that moves along the normal keeps its foot: once all samples have been searched when these iterations begin,
+  // they remain valid.
   Sampling_tolerance tolerance(const Iteration& iteration) const
   {
     constexpr double max_travel = 0.04, max_distance = 0.05; // they trade exactness for time

@@ -35,14 +35,14 @@ struct Optimization_options
   bool guarantee_both_directions = false;
   bool preserve_volume = false;
 
-  // where the user has not chosen one, the default, but less where the faces of M_0 are irregular
+  // if the user has not chosen one, the default, reduced where the faces of M_0 are irregular
   std::optional<std::size_t> number_of_relaxation_steps = std::nullopt;
   std::optional<double> regularity_weight = std::nullopt; // of LEAST_SQUARES
 
-  double part_of_regularity = 1; // how much of the weight is taken; not chosen by the user
+  double part_of_regularity = 1; // a factor of the weight; not chosen by the user
 };
 
-// Where a run is.
+// The state of a run.
 struct Iteration
 {
   bool is_free;                // the vertices move freely, not only along the normals
@@ -50,8 +50,8 @@ struct Iteration
   bool is_last;                // its samples are exact
 };
 
-// How the vertices are placed: what a placement method does in the phases of an iteration, on the vertices that are free.
-// Each method has samples, tolerances and defaults of its own.
+// How the vertices are placed: the actions of a placement method on the free vertices in the phases of an iteration. Each
+// method has samples, tolerances and defaults of its own.
 template <typename Reference>
 class Placement
 {

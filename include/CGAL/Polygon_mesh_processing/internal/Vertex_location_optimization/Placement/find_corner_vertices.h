@@ -60,9 +60,9 @@ struct Corner_vertex
   Point corner;
 };
 
-// Finds the vertices that come to corners which the remesh cuts off: for each corner the vertex of the constrained edges
-// that is closest, if it is free to move along them, has as many of them as the corner has curves, and is near. A vertex
-// that is there already is not among them, and a corner of curves that are shorter than edges of the remesh is noise.
+// Finds the vertices that move to corners cut off by the remesh: for each corner, the closest vertex of constrained edges,
+// if it is free to move along them, has as many of them as the corner has curves, and is near. Vertices already at a corner
+// are not included, and corners of curves shorter than edges of the remesh are ignored as noise.
 class Corner_search
 {
   // the constrained edges at a vertex
@@ -92,7 +92,7 @@ public:
     m_tree = Patch_tree<Point_patch>(std::move(points));
   }
 
-  // by the vertices; of several corners the closest one has its vertex
+  // by the vertices; if several corners have the same vertex, the closest one keeps it
   std::vector<Corner_vertex> find(const std::vector<Feature_curves::Corner>& corners) const
   {
     std::map<Index, Point> corner_of_vertex;

@@ -22,7 +22,7 @@
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
-// The only places that know all placement methods.
+// The only code that depends on all placement methods.
 
 inline Optimization_options default_options(const Placement_method method)
 {

@@ -23,10 +23,10 @@
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
-// How far and where v should move for the triangle v, p, q to become more regular; `length` is that of the sides of the
-// triangles around. Two things are added: the way to the apex of the equilateral triangle over pq, less the farther it is
-// (what is far from regular should come nearer, but need not get there); and the direction in which the smallest angle
-// grows the fastest, or rather a mean of the three angles with weights that fall with the lengths of the opposite sides.
+// The displacement of v that makes the triangle v, p, q more regular; `length` is that of the sides of the triangles around.
+// It is the sum of two terms: the vector to the apex of the equilateral triangle over pq, damped with its length, as very
+// irregular triangles need not become equilateral; and the direction in which the smallest angle grows fastest, smoothed to
+// a mean of the three angles with weights that decrease with the lengths of the opposite sides.
 inline Vector pull_to_regular(const Point& v, const Point& p, const Point& q, const double length)
 {
   constexpr double apex_part = 1. / 4, angle_part = 1. / 6; // with twice as much of the second the iterations do not settle

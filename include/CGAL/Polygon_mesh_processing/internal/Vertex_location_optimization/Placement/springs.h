@@ -38,9 +38,9 @@ struct Spring
   }
 };
 
-// Section 3.3: springs between neighbors keep the vertices apart. Their force is taken in the tangent plane, orthogonal to
-// `normal(i)`: along the normal it would only push the surface outwards. A vertex that the fit leaves where it is needs no
-// spring: planar parts stay as they are. `strength(i)` is a factor to the force on vertex i.
+// Section 3.3: springs between neighbors keep the vertices apart. Only the force in the tangent plane, orthogonal to
+// `normal(i)`, is applied: along the normal, it would inflate the surface. Vertices that the fit does not move have no
+// springs, so that planar parts do not change. `strength(i)` is a factor to the force on vertex i.
 template <typename ConcurrencyTag, typename Strength, typename Normal>
 void relax_springs(Remesh& remesh, const std::size_t number_of_steps, const Strength& strength, const Normal& normal)
 {

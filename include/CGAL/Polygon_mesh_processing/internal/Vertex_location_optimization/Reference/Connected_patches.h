@@ -123,7 +123,7 @@ public:
   Point point(const Foot& foot) const { return m_tree.patch(foot.patch).point(foot.coordinates); }
   Vector normal(const Foot& foot) const { return m_tree.patch(foot.patch).normal(foot.coordinates); }
 
-  // Several where the foot is on a side or in a corner of its patch: those that are reached across sides k of patches with
+  // If the foot is on a side or in a corner of its patch, there are several: those reached across sides k of patches with
   // can_cross(patch, k).
   template <typename CanCross = Can_cross_all>
   Feet feet_at(const Foot& foot, const CanCross& can_cross = CanCross()) const
@@ -156,7 +156,7 @@ private:
   template <typename CanCross>
   Index approach(const Point& query, Index patch, const CanCross& can_cross, Coordinates& coordinates) const
   {
-    constexpr int max_steps = 16; // a hint that is farther away is a poor one, and the steps would cost more than they save
+    constexpr int max_steps = 16; // for hints farther away, the steps would cost more than they save
     for(int step = 0;; ++step)
     {
       coordinates = m_tree.patch(patch).flat_coordinates(query);
@@ -211,8 +211,8 @@ private:
     return { corner / 3, { mu[1], mu[2] } };
   }
 
-  // Takes steps, which set the foot and its squared distance, as long as they lead closer. Around a vertex at the query
-  // rounding errors lead on and on: once the distance is negligible nothing is gained.
+  // Takes steps, which set the foot and its squared distance, as long as they lead closer. It stops once the distance is
+  // negligible: around a vertex at the query, rounding errors would prolong the walk without gain.
   template <typename Step>
   void walk(const Step& step, const Foot& foot, const double& squared_distance) const
   {
@@ -238,7 +238,7 @@ private:
     return false;
   }
 
-  // The same from anywhere in the patch. What is beyond a side that is farther away than the query is farther away, too,
+  // The same from anywhere in the patch. Points beyond a side that is farther away than the query are farther away, too,
   // unless the surface folds back there.
   bool step_across_sides(const Point& query, Foot& foot, double& squared_distance) const
   {

@@ -24,8 +24,8 @@
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
-// The facets of a triangle mesh: connected faces that lie in one plane. How a facet is triangulated says nothing about
-// the surface.
+// The facets of a triangle mesh: connected faces that lie in one plane. The triangulation of a facet contains no information
+// about the surface.
 struct Facets
 {
   bool contain(std::size_t e) const { return is_inside[e] != 0; } // whether edge e is inside a facet

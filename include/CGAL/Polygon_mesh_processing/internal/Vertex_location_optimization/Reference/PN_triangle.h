@@ -151,7 +151,7 @@ private:
              2 * c02 + 6 * v * c03 + 2 * u * c12 };
   }
 
-  // Whether the patch is so far from flat that the foot on the flat triangle says little about the foot on the patch.
+  // Whether the patch is so curved that the foot on the flat triangle is a poor estimate of the foot on the patch.
   bool is_bent() const
   {
     const double longest2 =

@@ -29,8 +29,8 @@
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
-// What the patches of a reference surface are in the mesh that it was made from, for maps of that mesh: the surface
-// itself does not refer to it.
+// Relates the patches of a reference surface to the mesh that it was made from, for property maps of that mesh: the surface
+// itself does not refer to the mesh.
 template <typename TriangleMesh>
 class Patch_descriptors
 {

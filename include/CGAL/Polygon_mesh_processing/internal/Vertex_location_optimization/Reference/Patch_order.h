@@ -28,8 +28,8 @@
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
-// The order of patches in an AABB tree, and the boxes of its nodes: what `AABB_tree` would find, but with several threads,
-// and with boxes that are those of the halves joined.
+// The order of patches in an AABB tree, and the boxes of its nodes: those that `AABB_tree` would compute, but with several
+// threads, and with each box joined from those of the two halves.
 template <typename Patch>
 class Patch_order
 {

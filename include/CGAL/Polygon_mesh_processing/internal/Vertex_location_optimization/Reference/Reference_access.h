@@ -50,8 +50,8 @@ namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 //   summary<ConcurrencyTag>()     its kind, and how far it is from the faces of its mesh
 //   feature_curves()              its creases and borders, see `Feature_curves`
 //
-// `Reference_patches` is a model. For any other model of `ReferenceSurface` this class does what can be done with that
-// alone: it always searches everywhere, has one normal a point, is not sampled, and has no creases.
+// `Reference_patches` is a model. For any other model of `ReferenceSurface`, this class provides what the concept allows: it
+// always searches the whole surface, has one normal at each point, is not sampled, and has no creases.
 template <typename Surface>
 class Reference_surface_adaptor
 {

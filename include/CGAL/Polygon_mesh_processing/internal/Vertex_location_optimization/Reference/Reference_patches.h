@@ -29,7 +29,7 @@
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
 // A reference surface: a patch on each face of a mesh, and the curves of its creases and borders. A model of the concept
-// that `Reference_access.h` documents, which attributes ask how the patches hang together, too.
+// documented in `Reference_access.h`, which also provides attributes with the connectivity of the patches.
 template <typename Patch>
 class Reference_patches : public Connected_patches<Patch>
 {

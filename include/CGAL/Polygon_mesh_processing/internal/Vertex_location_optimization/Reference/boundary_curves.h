@@ -31,7 +31,7 @@ namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 struct Boundary_curve
 {
   std::array<Vector, 2> offsets{ { NULL_VECTOR, NULL_VECTOR } }; // near the first and the second end of the edge
-  std::array<bool, 2> is_limited{ { false, false } };            // whether the tangent planes ask for more
+  std::array<bool, 2> is_limited{ { false, false } };            // whether the tangent planes would require larger ones
 };
 
 // The offset of the control point near an end of an edge, by which the curve is tangent to the plane with this normal.
@@ -52,11 +52,11 @@ inline Vector tangential_offset(const Vector& edge, const Vector& normal, const 
     return distance > limit ? (limit / distance) * offset : offset;
   }
 
-  // the planes are nearly the same: below some 6 degrees their intersection says little
+  // the planes are nearly the same: below some 6 degrees, their intersection is unreliable
   return tangential_offset(edge, normalized(normal + normal_across));
 }
 
-// What the surface beyond the end of an edge says about how the edge bends.
+// How an edge may bend, according to the surface beyond one of its ends.
 struct Bend
 {
   bool goes_on;        // the surface bends there, too

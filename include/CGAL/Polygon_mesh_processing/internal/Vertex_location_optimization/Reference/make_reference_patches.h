@@ -33,8 +33,8 @@
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
-// The creases of a reference: the edges that the user constrains, and those that are sharp unless the user leaves it at
-// the constrained ones.
+// The creases of a reference: the edges that the user constrains, and the sharp ones unless only constrained edges are
+// given.
 template <typename ConcurrencyTag, typename TriangleMesh, typename NamedParameters>
 std::vector<char> find_creases(const Mesh_arrays& mesh,
                                const Mesh_descriptors<TriangleMesh>& descriptors,
@@ -148,7 +148,8 @@ connect_patches(const Mesh_arrays& mesh, const std::vector<Vector>& face_normals
   return { std::move(tree), std::move(neighbors), std::move(folds) };
 }
 
-// Whether the normals of a mesh can tell a smooth surface: not if creases make more than a third of the length of its edges.
+// Whether the normals of a mesh can define a smooth surface: not if creases make up more than a third of the length of its
+// edges.
 inline bool is_recognizably_smooth(const Mesh_arrays& mesh, const std::vector<char>& is_crease)
 {
   constexpr double largest_part = 1. / 3;

@@ -25,7 +25,7 @@
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
-// What the elements of the arrays of a triangulated copy are in the mesh itself; marks its diagonals.
+// Relates the elements of the arrays of a triangulated copy to those of the mesh itself; marks the diagonals.
 template <typename PolygonMesh>
 void find_originals(const PolygonMesh& pmesh,
                     const Triangulated_copy<PolygonMesh>& copy,

@@ -123,7 +123,7 @@ void take_area_samples(
   const Reference& reference, const Remesh& remesh, const std::size_t n, const HintOfFace& hint, const F& f)
 {
   const std::size_t number_of_faces = remesh.number_of_faces();
-  // where faces are large, on thin parts, say, samples are as close as on an average
+  // where faces are large, for example on thin parts, samples are as dense as on average
   const auto squared_length = [&](std::size_t k) { return square(remesh.length_of_face(k)); };
   const double mean =
     sum_over_indices<ConcurrencyTag, double>(number_of_faces, squared_length) / static_cast<double>(number_of_faces);
@@ -165,7 +165,7 @@ public:
     m_points.clear();
     m_normals.clear();
     m_weights.clear();
-    m_feet = std::vector<Patch_foot>(); // frees the memory, which the tree of the faces needs
+    m_feet = std::vector<Patch_foot>(); // frees memory for the tree of the faces
     m_samples_of_faces = Index_groups();
     if(m_area > 0)
     {
@@ -189,7 +189,7 @@ public:
     project_to_faces<ConcurrencyTag>(
       make_face_tree(remesh, remesh.points), m_points.size(), [&](std::size_t i) -> const Point& { return m_points[i]; },
       [&](std::size_t i, const Patch_foot& foot) { faces[i] = foot.patch; });
-    // what is closest to the surroundings comes last, and is left out
+    // samples closest to the surroundings come last, and are left out
     const auto group_of = [&](Index i) { return (std::min)(faces[i], number_of_faces); };
     std::vector<Index> order = Index_groups(number_of_faces + 1, faces.size(), group_of).members();
     order.resize(std::count_if(faces.begin(), faces.end(), [&](Index f) { return f < number_of_faces; }));

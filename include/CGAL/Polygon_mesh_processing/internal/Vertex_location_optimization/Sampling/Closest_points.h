@@ -27,12 +27,12 @@
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
-// How exact the samples must be between the first and the last iteration. Lengths are relative to those of the edges of the
+// The tolerances of the samples between the first and the last iteration. Lengths are relative to those of the edges of the
 // remesh around each query.
 struct Sampling_tolerance
 {
-  double travel;   // a query moves so far before its closest point is searched again
-  double distance; // by so much the point that is found may be farther away than the closest one
+  double travel;   // how far a query may move before its closest point is searched again
+  double distance; // how much farther away the point found may be than the closest one
   bool slides;     // whether a sample moves along with its query in the tangent plane until then
 };
 
@@ -89,8 +89,8 @@ public:
   }
 
   // Tells sample i that its query, where the edges have the length `length`, has moved by `displacement`; returns whether
-  // the closest point must be searched again, with `update()`. For a sample without a normal `off_tangent_plane()` is the part of the displacement off the tangent
-  // plane.
+  // the closest point must be searched again, with `update()`. For a sample without a normal, `off_tangent_plane()` is the
+  // normal component of the displacement.
   template <typename OffTangentPlane>
   bool move(std::size_t i,
             const Sampling_tolerance& tolerance,

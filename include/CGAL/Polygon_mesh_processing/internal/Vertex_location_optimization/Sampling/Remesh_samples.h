@@ -31,7 +31,7 @@
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
-// What the first samples say about M_0.
+// The properties of M_0 that the first samples measure.
 struct Initial_measure
 {
   Distance_samples distances;
@@ -66,7 +66,7 @@ public:
       barycenters(set == Sample_set::MIDPOINTS_AND_BARYCENTERS ? remesh.number_of_faces() : 0, true)
   {}
 
-  // Takes the first samples. The closest points to the barycenters are found in any case, to measure M_0.
+  // Takes the first samples. The points closest to the barycenters are always computed, to measure M_0.
   template <typename ConcurrencyTag>
   Initial_measure start(const Reference& reference, const Remesh& remesh)
   {
@@ -148,7 +148,7 @@ private:
     constexpr std::size_t block_size = 256;
     const auto length_at = [&](std::size_t k) { return remesh.length_at(vertices_at(k)); };
     for_each_block<ConcurrencyTag>(samples.size(), block_size, [&](std::size_t begin, std::size_t end) {
-      boost::container::small_vector<std::size_t, block_size> is_due; // few: what they need of the reference is far away
+      boost::container::small_vector<std::size_t, block_size> is_due; // few, and their patches are far apart in memory
       for(std::size_t k = begin; k < end; ++k)
       {
         const auto& of_sample = vertices_at(k);

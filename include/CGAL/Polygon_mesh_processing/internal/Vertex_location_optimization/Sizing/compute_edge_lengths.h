@@ -30,7 +30,7 @@
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
-// The best edge length goes with this power of the curvature.
+// The best edge length is proportional to this power of the curvature.
 inline double edge_length_exponent(Tolerated_error kind)
 {
   return kind == MAXIMUM_ERROR ? -1. / 2 : kind == MEAN_ERROR ? -1. / 4 : -1. / 3;
@@ -46,7 +46,7 @@ inline double relative_mean_error(double ratio)
   return table[i] + (position - i) * (table[i + 1] - table[i]);
 }
 
-// What a value of the faces is at the vertices: the mean over the faces around them, and the areas there.
+// Averages a value of the faces at the vertices: the mean over the faces around each, and their area.
 struct Vertex_means
 {
   Vertex_means(const Mesh_arrays& mesh, const std::vector<double>& of_faces)
@@ -66,8 +66,8 @@ struct Vertex_means
   std::vector<double> areas;
 };
 
-// The larger curvature at the vertices; with `MEAN_ERROR`, times what the smaller one makes of it. It is smoothed over about the
-// triangles of a remesh with so many vertices: what is smaller is noise to them.
+// The larger curvature at the vertices; with `MEAN_ERROR`, times a factor that depends on the smaller one. It is smoothed
+// over about the size of the triangles of a remesh with this number of vertices, as smaller details are noise to them.
 template <typename ConcurrencyTag>
 Vertex_means compute_vertex_curvatures(const Mesh_arrays& mesh,
                                        const std::vector<Vector>& face_normals,

@@ -58,8 +58,8 @@ std::array<typename boost::graph_traits<PolygonMesh>::halfedge_descriptor, 3> co
 }
 
 // Copies the edges and faces of a mesh whose vertices have been copied, in the order of their first vertices, the smallest
-// ones; what begins with the same vertex stays in the order of the mesh. A polygon is read from its smallest vertex on: which
-// halfedge the mesh has for it does not matter.
+// ones; what begins with the same vertex stays in the order of the mesh. A polygon is read from its smallest vertex on, so
+// that the choice of its halfedge in the mesh does not matter.
 template <typename PolygonMesh, typename Selection, typename VertexIndexMap>
 class Face_reader
 {
@@ -265,7 +265,7 @@ private:
     }
   }
 
-  // A side of an edge has the first corner that is opposite to it; any two triangles will do for a diagonal.
+  // Each side of an edge refers to the first corner opposite to it; for a diagonal, any two triangles will do.
   void add_edge_corner(const Index corner)
   {
     const Index e = m_mesh.opposite_edge(corner);

@@ -32,8 +32,8 @@ struct Fan_triangle
   double weight;
 };
 
-// The triangles of the fans of a polygon with n corners: one fan from each corner, all with the same weight. What several
-// fans share is there once: an ear cuts off one corner and is in two fans; any other triangle is in one.
+// The triangles of the fans of a polygon with n corners: one fan from each corner, all with the same weight. Triangles
+// shared by several fans are stored once: an ear cuts off one corner and is in two fans; any other triangle is in one.
 struct Fans
 {
   explicit Fans(const Index n)

@@ -33,7 +33,7 @@ namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 //
 // A polygon, a face of the user's mesh with more than three corners, stands for the mean of its fans: the faces are their
 // triangles, each with a weight, and the edges include diagonals. An ear is the triangle that cuts off one corner of its
-// polygon: both its sides there are edges of the polygon. What goes around a vertex goes from ear to ear, and `edge_corners`
+// polygon: both its sides there are edges of the polygon. Traversals around a vertex go from ear to ear, and `edge_corners`
 // has one corner for each side of an edge, of any of the triangles there.
 struct Mesh_arrays
 {
@@ -107,7 +107,8 @@ struct Mesh_arrays
 
   double triangle_area(std::size_t f) const { return norm(area_normal(f)) / 2; }
 
-  // The area that face f stands for: that of the triangle, times its weight. It is what integrals over the mesh are sums of.
+  // The area that face f represents, that of the triangle times its weight: integrals over the mesh are sums over these
+  // areas.
   double area(std::size_t f) const { return area(f, points); }
 
   double area(std::size_t f, const std::vector<Point>& at) const

@@ -66,7 +66,7 @@ struct Triangulated_copy
   }
 
 private:
-  // Where two triangulations are equally good the first corner decides: it is not that of the mesh.
+  // Where two triangulations are equally good, the first corner decides, which is not that of the mesh.
   void begin_at_smallest_vertices()
   {
     for(const Mesh::Face_index f : mesh.faces())
@@ -90,7 +90,7 @@ private:
     std::vector<Mesh::Face_index> pieces{ f };
     for(const Diagonal& diagonal : find_diagonals(points))
       split(mesh.target(corners[diagonal[0]]), mesh.target(corners[diagonal[1]]), pieces);
-    // what has no plane to be triangulated in
+    // polygons without a plane
     for(std::size_t i = 0; i < pieces.size(); ++i)
       while(!is_triangle(mesh.halfedge(pieces[i]), mesh))
       {

@@ -33,7 +33,7 @@ namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 template <typename NamedParameters, typename Tag>
 constexpr bool has_parameter = !parameters::is_default_parameter<NamedParameters, Tag>::value;
 
-// What a mesh is asked for, and what a model of `ReferenceSurface`.
+// The requirements on a mesh, and on a model of `ReferenceSurface`.
 struct Requirement
 {
   template <typename Mesh>
@@ -151,7 +151,7 @@ struct Mesh_check
     !std::is_const<PolygonMesh>::value && is_graph && has_vertices && has_edges && has_faces && has_points && have_keys();
 };
 
-// The sequences are told apart by what only one of them has.
+// The sequences are distinguished by the parameters that only one of them has.
 #define CGAL_VERTEX_LOCATION_refuse(NAME, TAG, REASON)                                                                      \
   static_assert(!has_parameter<NamedParameters, internal_np::TAG>, "The named parameter " #NAME " " REASON);
 
@@ -196,7 +196,7 @@ struct Second_sequence_check
 };
 #undef CGAL_VERTEX_LOCATION_refuse_in_second
 
-// A surface that is ready has its creases.
+// The creases of an existing surface cannot be changed.
 template <typename NamedParameters>
 struct Second_sequence_check_with_surface : Second_sequence_check<NamedParameters>
 {

@@ -34,8 +34,8 @@ namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
 using Diagonal = std::array<std::size_t, 2>; // the corners that it joins
 
-// Of the two pairs of triangles of a quad the one with the larger scalar product of the normals: its triangles are similar in
-// size, and face the same side.
+// The pair of triangles of a quad with the larger scalar product of the normals: its triangles are similar in size and
+// orientation.
 inline Diagonal find_diagonal_of_quad(const std::vector<Point>& p)
 {
   const double product_02 = area_normal(p[0], p[1], p[2]) * area_normal(p[0], p[2], p[3]);

@@ -23,8 +23,8 @@
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
 // Calls on_vertex(i), on_edge(e) and on_face(f) for all vertices, edges and faces of `mesh`, see `for_each_index()`. Edges
-// and faces follow their first vertex: what they read of the reference, which is much larger, is in the cache still. The
-// calls for edges and faces may read what those for their first vertex and for the edges there have written.
+// and faces follow their first vertex, while the parts of the reference that they read are still in the cache. The calls for
+// edges and faces may read what those for their first vertex and for the edges there have written.
 template <typename ConcurrencyTag, typename OnVertex, typename OnEdge, typename OnFace>
 void for_each_element(const Mesh_arrays& mesh, const OnVertex& on_vertex, const OnEdge& on_edge, const OnFace& on_face)
 {

@@ -30,9 +30,10 @@ using Vertex_location_named_parameters = Named_function_parameters<T, Tag, Base>
 
 } // namespace CGAL::Polygon_mesh_processing::internal
 
-// Where the directory of CGAL comes first on the include path, that class is closed to new members, and they are those of a
-// class that is derived from it. It holds no data of its own, so that converting it to its base loses nothing. A parameter of
-// CGAL that is chained to it returns a `Named_function_parameters`: parameters of this package come first.
+// If the directory of CGAL comes first on the include path, no members can be added to that class, and they belong to a
+// class derived from it. The derived class has no data of its own, so that the conversion to its base is lossless. A
+// parameter of CGAL that is chained to it returns a `Named_function_parameters`, so that parameters of this package must
+// come first.
 #else
 
 namespace CGAL {

@@ -26,9 +26,9 @@
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
-// Orders vertices such that what is close on the mesh is close in memory: block by block, each of them, and the vertices in
-// it, breadth first. A curve through space would do as well, but the order, and with it the samples, would depend on how the
-// mesh is placed.
+// Orders vertices such that neighbors on the mesh are close in memory: block by block, with the blocks, and the vertices in
+// each block, in breadth-first order. A space-filling curve would do as well, but the order, and thus the samples, would
+// depend on the position of the mesh.
 template <typename PolygonMesh, typename VertexIndexMap>
 class Vertex_order
 {
@@ -78,7 +78,8 @@ private:
     m_order.push_back(i);
   }
 
-  // Those that are not yet reached, in the order of `vertices`: with which halfedge the mesh begins does not matter.
+  // The neighbors that are not yet reached, in the order of `vertices`, so that the first halfedge of a vertex does not
+  // matter.
   void find_neighbors(const vertex_descriptor& vertex)
   {
     m_neighbors.clear();

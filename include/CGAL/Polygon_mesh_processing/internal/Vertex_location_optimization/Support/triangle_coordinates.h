@@ -36,7 +36,7 @@ struct Coordinates
 
 constexpr Coordinates barycenter_coordinates{}; // of the barycenter
 
-// Below this a barycentric coordinate is taken for 0: the point for one on that side. It is rounding that it allows for.
+// Below this, a barycentric coordinate is taken to be 0, and the point to be on that side. It accounts for rounding.
 constexpr double boundary_tolerance = 1e-12;
 
 inline bool is_inside(const std::array<double, 3>& barycentric)
@@ -57,8 +57,8 @@ inline Bbox_3 bounding_box(const std::array<Point, 3>& t)
            max(t[0].x(), t[1].x(), t[2].x()), max(t[0].y(), t[1].y(), t[2].y()), max(t[0].z(), t[1].z(), t[2].z()) };
 }
 
-// Points of a triangle that are spread evenly, as many as one likes: those with consecutive numbers follow the additive
-// recurrence by powers of the plastic number, of low discrepancy.
+// Evenly distributed points of a triangle, in any number: consecutive ones follow the additive recurrence by powers of the
+// plastic number, which has low discrepancy.
 inline Coordinates low_discrepancy_coordinates(const std::size_t number)
 {
   constexpr double plastic_number = 1.3247179572447460; // the real root of x^3 = x + 1

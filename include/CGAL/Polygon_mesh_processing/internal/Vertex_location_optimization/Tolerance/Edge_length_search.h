@@ -23,21 +23,22 @@
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
-// what a remeshing has shown
+// the outcome of a remeshing
 struct Attempt
 {
   double edge_length;
   double error;   // relative to the tolerance; infinite: there is no mesh
-  bool is_within; // the tolerance; perhaps not even if the error is, which can be one that leaves out a few spots
+  bool is_within; // within the tolerance; may be false for a small `error`, which can leave out a few spots
   std::size_t number_of_vertices;
 };
 
-// Looks for the largest edge length for which the error is within the tolerance. The error goes about with a power of the
-// edge length, and so the search is a secant method in logarithms, kept between a length that is within and one that is
-// not. It does not rely on that: of a remesher nothing is asked but that some lengths do.
+// Looks for the largest edge length for which the error is within the tolerance. The error is roughly a power of the edge
+// length, so that the search is a secant method on logarithms, bracketed by a length that is within the tolerance and one
+// that is not. It does not rely on this law: the remesher need only meet the tolerance at some lengths.
 //
-// At first, a length whose error is small enough counts as within even if its remesh is not: that is bad luck, and a longer
-// one may have more. If the search ends with such a length, it goes on with what really is within, for a few more attempts.
+// At first, a length whose error is small enough counts as within the tolerance even if its remesh is not, as this may be a
+// coincidence and a longer length may succeed. If the search ends with such a length, it continues for a few more attempts
+// with the lengths that really are within the tolerance.
 class Edge_length_search
 {
 public:
@@ -78,11 +79,11 @@ private:
   }
 
   static constexpr double expected_exponent = 2; // of the edge length, on a smooth surface
-  static constexpr double least_exponent = 0.7;  // where creases are cut it is 1
+  static constexpr double least_exponent = 0.7;  // the exponent is 1 where creases are cut off
   static constexpr double largest_exponent = 4;
-  static constexpr double largest_factor = 3; // between the lengths of two attempts; of unresponsive ones its square
+  static constexpr double largest_factor = 3; // between two attempts; its square if the remesher does not respond
 
-  static constexpr std::size_t enough_attempts = 7; // where errors are a matter of luck; more seldom save much
+  static constexpr std::size_t enough_attempts = 7; // if errors vary randomly; more attempts rarely save much
 
   bool counts_as_within(const Attempt& a) const { return m_relies_on_error ? a.error <= 1 : a.is_within; }
 
@@ -110,7 +111,7 @@ private:
     return shortest;
   }
 
-  // Rounding may not keep the search from its end.
+  // Rounding must not keep the search from ending.
   bool is_narrow(const Attempt& within, const Attempt& beyond) const
   {
     return beyond.edge_length <= within.edge_length * m_step * (1 + 1e-9);
@@ -136,7 +137,8 @@ private:
     return std::isfinite(exponent) ? std::clamp(exponent, least_exponent, largest_exponent) : expected_exponent;
   }
 
-  // All were within, or all beyond: beyond the length that the exponent asks for, so as to have it between two.
+  // All were within the tolerance, or all beyond it: a length past the one that the exponent suggests, so that the solution
+  // is bracketed.
   double coarser(const Attempt& within) const
   {
     const double factor = std::pow(within.error, -1 / exponent()) * m_step;

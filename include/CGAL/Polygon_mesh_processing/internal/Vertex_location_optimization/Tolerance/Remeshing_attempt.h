@@ -39,9 +39,10 @@ namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 template <typename ConcurrencyTag, typename TriangleMesh, typename Surface, typename NamedParameters, typename Visitor>
 class Remeshing_attempt
 {
-  // So many of the faces may be beyond the tolerance after the optimization, or eight: sides of theirs are split, in rounds.
-  // The largest error of a remesh is that of some spots; a few more vertices there are worth more than a shorter edge length
-  // everywhere. With a larger part more vertices are added than the longer edges save, or there is no end.
+  // This part of the faces, or eight faces, may exceed the tolerance after the optimization: their edges are split, in
+  // rounds. The largest error of a remesh occurs in some spots; a few more vertices there are better than a shorter edge
+  // length everywhere. With a larger part, more vertices would be added than the longer edges save, or the rounds would not
+  // end.
   static constexpr double largest_part_to_refine = 0.2;
   static constexpr std::size_t least_number_to_refine = 8;
   static constexpr double margin = 0.985; // of the tolerance: deviations are those of samples
@@ -77,8 +78,8 @@ public:
 
   const Tolerance_report& report() const { return m_report; }
 
-  // The error that the search goes by, relative to the tolerance: not that of the few faces that may be refined, which
-  // differs much from length to length.
+  // The error that guides the search, relative to the tolerance. It leaves out the few faces that may be refined, whose
+  // error varies strongly from length to length.
   double typical_error() const
   {
     const double error = m_setting.kind == MAXIMUM_ERROR ? m_typical_deviation : tolerated_value(m_report, m_setting.kind);
@@ -86,8 +87,8 @@ public:
   }
 
 private:
-  // A remesher may take the map of the constrained edges, which it keeps up to date, and that of the corners. One that does
-  // not may put another mesh in the place of the copy, of which no edge is constrained.
+  // A remesher may take the map of the constrained edges, which it must update, and that of the corners. A remesher without
+  // these maps may replace the copy by another mesh, without constrained edges.
   template <typename Remesh>
   void call_remesher(const Remesh& remesh, double edge_length)
   {
@@ -133,7 +134,7 @@ private:
 
   void optimize() { optimize_vertex_locations<ConcurrencyTag>(m_mesh, m_setting.surface, named_parameters()); }
 
-  // Only some faces, so that what is within the tolerance elsewhere stays so; all, where the volume of all is to be kept.
+  // Only some faces, so that the others remain within the tolerance; all faces if the volume is to be preserved.
   void optimize_around(const std::vector<face_descriptor>& faces)
   {
     using parameters::choose_parameter;
@@ -160,7 +161,7 @@ private:
       .visitor(std::ref(m_visitor));
   }
 
-  // Refines what is beyond the tolerance as long as it is little, and measures.
+  // Refines the faces beyond the tolerance as long as they are few, and measures the result.
   void refine()
   {
     double limit = margin * m_setting.tolerance;
@@ -181,7 +182,7 @@ private:
         measure();
         if(m_report.is_within_tolerance)
           return;
-        // The deviations have missed something: less is tolerated of them.
+        // The deviations have missed something: their tolerance is reduced.
         limit *= 0.99 * m_setting.tolerance / tolerated_value(m_report, m_setting.kind);
         faces_beyond = find_faces_beyond(limit, deviations);
         least_number = (std::numeric_limits<std::size_t>::max)();

@@ -24,7 +24,7 @@
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
-// the tolerated error of a uniform remesh, relative to its mean error; about, as the first edge length is a guess
+// the approximate ratio of the tolerated error to the mean error of a uniform remesh, for the first edge length
 inline double ratio_to_mean(Tolerated_error kind) { return kind == MAXIMUM_ERROR ? 5 : kind == MEAN_ERROR ? 1 : 1.4; }
 
 // Whether a remesh is a better result: within the tolerance with fewer vertices, or with less error if none is.

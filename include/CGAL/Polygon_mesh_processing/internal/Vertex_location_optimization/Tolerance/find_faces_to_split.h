@@ -46,8 +46,9 @@ inline std::vector<std::size_t> find_faces_beyond(double limit, const std::vecto
   return faces;
 }
 
-// Those of the faces, the first ones first, that are to be split at their longest sides: none next to the two faces of a
-// side that is. A split and the fit that follows often mend the faces around, too; what they do not is split another time.
+// Selects faces to be split at their longest sides, in the given order, but none next to the two faces of a side that is
+// already selected. A split and the fit that follows often improve the faces around as well; otherwise, these are split in a
+// later round.
 inline std::vector<std::size_t> find_faces_to_split(const Mesh_arrays& mesh, const std::vector<std::size_t>& faces)
 {
   std::vector<char> is_near(mesh.number_of_faces(), false);

@@ -34,7 +34,8 @@ namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
 // Changes a mesh at faces that are beyond the tolerance, for a fit to follow. Three things help:
 //   - a flip, where faces join the wrong vertices;
-//   - a pull, where a vertex itself is beyond, on a fold, say, to which no point of the reference is closest;
+//   - a pull, where a vertex itself exceeds the tolerance, for example on a fold that is not closest to any point of the
+//     reference;
 //   - a split, where there are too few vertices.
 template <typename ConcurrencyTag,
           typename TriangleMesh,
@@ -61,7 +62,7 @@ public:
   {}
 
   // Refines at faces of `mesh`, the worst ones first, which are farther than `limit` from the reference, once. Returns the
-  // faces around what has changed, in which vertices have reason to move.
+  // faces around what has changed, whose vertices should be fitted again.
   Faces refine(const std::vector<std::size_t>& faces_beyond, const double limit)
   {
     Faces faces;
@@ -132,7 +133,7 @@ private:
       changed.push_back(v);
   }
 
-  // some rings of faces: with fewer the fit has no room, and with more it undoes what is well elsewhere
+  // some rings of faces: with fewer, the fit has no room; with more, it spoils good faces elsewhere
   Faces faces_around(const Vertices& changed) const
   {
     constexpr int number_of_rings = 3;

@@ -40,7 +40,7 @@ struct Distant_point
 };
 
 // The distance from the reference to the remesh with its vertices at the initial and at the next points, at samples that are
-// taken for this alone: a remesh is closer to the samples that it was fitted to than to what is between them.
+// used for nothing else: a remesh is closer to the samples that it was fitted to than to the points between them.
 template <typename Reference>
 class Distances_from_reference
 {
@@ -95,7 +95,7 @@ public:
       find_indices<ConcurrencyTag>(m_samples.size(), [&](std::size_t i) { return has_changed[m_samples[i].face]; }));
   }
 
-  // Where faces that were measured again, or walking, may have hidden closer points it is too soon to give up.
+  // Closer points may have been missed by walking, or in faces measured again, so that it is too early to give up.
   template <typename ConcurrencyTag>
   void measure_exactly()
   {
@@ -129,7 +129,8 @@ public:
   double initial_mean() const { return mean_of(&Sample::initial_distance); }
   double mean() const { return mean_of(&Sample::distance); }
 
-  // The integrals of the distance that is closest to each face at first: there, and by how much they have grown.
+  // The integrals of the distance over the samples initially closest to each face: the initial ones, and by how much they
+  // have grown.
   std::pair<std::vector<double>, std::vector<double>> initial_integrals_and_changes() const
   {
     std::vector<double> initial(m_remesh.number_of_faces(), 0), changes = initial;
@@ -226,7 +227,7 @@ private:
     return result;
   }
 
-  // By walking from the last closest points, where these are near; where walking may have led astray by a search.
+  // By walking from the last closest points if these are near, and by a search where the result of the walk is in doubt.
   template <typename ConcurrencyTag>
   void measure(const std::vector<Index>& indices)
   {

@@ -57,9 +57,9 @@ Face_feet<Foot> feet_of_face(const Mesh_arrays& mesh, const std::size_t f, const
   return feet;
 }
 
-// The points of the faces at which the distance is sampled to integrate it. A face is cut into equal triangles, the more the
-// larger it is, with a point anywhere in each of them: then a mean over many faces is right however the distance changes its
-// sign or bends in them, which it does on coarse faces, while a quadrature with as many points is far off.
+// The points of the faces at which the distance is sampled to integrate it. A face is cut into equal triangles, more of them
+// for larger faces, with a point at a quasi-random place in each. The mean over many faces is then accurate even if the
+// distance changes its sign or bends within coarse faces, where a quadrature with the same number of points is inaccurate.
 class Face_sampling
 {
 public:

@@ -39,7 +39,7 @@ struct Far_point
 };
 
 // Finds the point of a patch that is farthest from a remesh, or one that is farther away than a limit, by branch and bound: a
-// patch is cut into four pieces, and each of these, as long as `Distance_bound` does not tell that nothing is farther away.
+// patch is cut into four pieces, recursively, until `Distance_bound` proves that nothing is farther away.
 template <typename Reference>
 class Farthest_of_patch
 {
@@ -107,7 +107,7 @@ public:
     return result;
   }
 
-  // what is more than a distance by more than what it may be wrong by
+  // a value larger than a distance by more than its error
   double above(const double distance) const { return above(distance, m_negligible); }
   static double above(const double distance, const double negligible)
   {
@@ -144,8 +144,8 @@ private:
     return { piece, piece.at(closest_on_triangle(piece.corners, result.point)), face, result.distance + sag_of_piece };
   }
 
-  // Measures where a part may be farthest away. It is done if no point of it can be much farther away, as no distance is
-  // steeper than one; or if the surroundings are closest.
+  // Measures where a part may be farthest away. The part is settled if no point of it can be much farther away, as no slope
+  // exceeds one, or if the surroundings are closest.
   template <typename Threshold>
   bool
   is_done(const Index patch, const Part& part, const Threshold& threshold, Result& result, std::vector<Index>& faces) const

@@ -50,8 +50,8 @@ private:
   Vector m_normal;
 };
 
-// The largest distance that a triangle has, given its corners, from the one of three planes that it is closest to: from a
-// reference that is this plane below the triangle nothing can be farther away.
+// The largest distance of a triangle, given its corners, from the closest one of three planes: if the reference coincides
+// with this plane below the triangle, no point can be farther away.
 template <typename Plane>
 double distance_to_planes(const std::array<Point, 3>& corners, const std::array<Plane, 3>& planes)
 {
@@ -88,11 +88,10 @@ double distance_to_planes_of_quarters(const Reference& reference,
 }
 
 // Finds the point of a triangle that is farthest from the reference, by branch and bound: the triangle is cut into parts,
-// first where it may be farthest away, until none can have a distance above the largest one known. How much larger than in
-// its corners the distance can be inside a part follows from its slopes, as measured there and in the part that it was cut
-// from, where the distance is smooth; and from the planes that touch the reference at the closest points, where it has an
-// edge between them. No distance is steeper than one, and where the triangle is not much larger than the distance itself,
-// that alone is relied on.
+// first where it may be farthest away, until none can have a distance above the largest one known. The distance inside a
+// part is bounded by that at its corners and, where it is smooth, by its slopes, measured in the part and in the one that it
+// was cut from; where the reference has an edge, by its tangent planes at the closest points. No slope exceeds one; for a
+// triangle not much larger than the distance itself, only this bound is used.
 template <typename Reference>
 class Farthest_point
 {
@@ -145,13 +144,13 @@ public:
 
 private:
   static constexpr double large = 8;         // the size, relative to the largest distance, above which slopes are trusted
-  static constexpr int certain_level = 3;    // below it slopes are not trusted where that takes few cuts
+  static constexpr int certain_level = 3;    // below it, slopes are not trusted if this takes few cuts
   static constexpr double safety = 2;        // of the slopes; it trades time for what may be missed between the corners
   static constexpr double margin = 1.5;      // of the distance to a plane, from which the reference bends away
   static constexpr double rounding = 1e-9;   // relative to the size of the triangle; below it the slopes are noise
   static constexpr double tolerance = 0.002; // of the result; it saves the last few parts
   static constexpr int max_level = 10;       // a part of that level is 1/1024 as long as the triangle
-  static constexpr int max_cuts = 256; // it bounds the time where the slopes say little, between overlapping sheets, say
+  static constexpr int max_cuts = 256; // it bounds the time where slopes are of little use, as between overlapping sheets
 
   struct Sample
   {
@@ -243,7 +242,7 @@ private:
     // where the distance is smooth its slopes change by half as much over half the length
     double inherited = part.level == 0 ? steepest : part.slope / 2;
     if(radius(t) < large * largest && part.level < certain_level)
-      inherited = 1; // no distance is steeper; to be certain takes few cuts here
+      inherited = 1; // no slope is larger; certainty takes few cuts here
     for(Part& child : children)
       child.slope = std::clamp(child.slope, (std::min)(inherited, 1.), 1.);
     return children;

@@ -37,7 +37,7 @@ public:
   }
 
   // Whether a face has collapsed, given the squared sines of its smallest angle: to less than 10 degrees, less than half of
-  // what it was, and less than in all faces around it at first.
+  // its initial value, and less than the initial ones of all faces around it.
   bool has_collapsed(const std::array<Index, 3>& face, const double sine2, const double initial_sine2) const
   {
     constexpr double sine_of_collapse = 0.17364817766693036; // of 10 degrees
@@ -60,7 +60,7 @@ private:
 };
 
 // A face violates it if it is flipped: the next points turn its normal by more than 60 degrees from that of the initial
-// ones; or if it collapses. A face without an area at first never does. A model of the criteria of `shorten_moves()`.
+// ones; or if it collapses. A face without an initial area never violates it. A model of the criteria of `shorten_moves()`.
 class Flip_criterion
 {
 public:

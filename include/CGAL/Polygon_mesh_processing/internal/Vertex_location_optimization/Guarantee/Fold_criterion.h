@@ -32,8 +32,8 @@ namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 // A model of the criteria of `shorten_moves()`.
 //
 // At an edge between polygons several triangles of their fans meet, whose folds differ as little as the polygons are planar.
-// The two of `edge_corners` stand for all of them, and are those that violate the criterion. A diagonal is no fold: how far a
-// polygon is from planar is none of its concern.
+// The two of `edge_corners` stand for all of them, and are those that violate the criterion. A diagonal is not a fold: the
+// criterion ignores how far a polygon is from planar.
 template <typename ReferenceNormals>
 class Fold_criterion
 {

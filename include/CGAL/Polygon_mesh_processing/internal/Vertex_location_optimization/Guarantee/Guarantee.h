@@ -42,8 +42,8 @@ namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 //   - neither the largest nor the mean distance to the reference is above that of the initial remesh and, if that is
 //     asked for, neither of those from the reference;
 //   - no pair of faces intersects, if that is tested, that did not before.
-// Each stage halves moves where they violate it and no others, for a number of rounds that bounds the time; then it takes
-// moves back.
+// Each stage halves only moves that violate its condition, for a number of rounds that bounds the time, and then takes moves
+// back.
 //
 // `AllowMove` is a functor (i, source, target) -> bool, `FindSelfIntersections` is a `Self_intersection_test`.
 template <typename ConcurrencyTag, typename Reference, typename AllowMove, typename FindSelfIntersections>
@@ -54,7 +54,7 @@ class Guarantee
   struct Stage
   {
     Correction reason;
-    int max_halvings; // rounds of them, which trade time for what is left of the moves
+    int max_halvings; // the number of rounds, which trades time for larger remaining moves
     int round = 0;
 
     bool takes_back() const { return round >= max_halvings; }
@@ -97,8 +97,8 @@ public:
     }
   }
 
-  // Moves the vertices along the normals until the remesh encloses `volume`, but for those where that would do harm; returns
-  // false, and leaves all where they are, if that is impossible.
+  // Moves the vertices along the normals until the remesh encloses `volume`, except for those where this would do harm;
+  // returns false, and moves none, if this is impossible.
   bool enclose(const double volume)
   {
     constexpr int max_attempts = 10;
@@ -234,7 +234,7 @@ private:
     return shorten_raising(stage, initial, changes);
   }
 
-  // it need not be lower: it is not what is optimized
+  // it need not decrease, as it is not optimized
   bool is_mean_from_reference_kept() const
   {
     constexpr double rounding = 1e-6; // of the distances, in single precision

@@ -31,10 +31,10 @@
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
-// What the guarantee compares with: M_0.
+// The quality of M_0, with which the guarantee compares.
 struct Initial_quality
 {
-  Approximation_error error; // of the distance to the reference; its maximum is rather less than more
+  Approximation_error error; // of the distance to the reference; its maximum is more likely too small than too large
   std::vector<float> means;  // of that distance, on the faces
   std::vector<Face_orientation> orientations;
 };
@@ -46,7 +46,7 @@ Initial_quality measure_initial_quality(const Reference& reference,
                                         const Remesh_samples<Reference>& samples,
                                         Initial_measure measure)
 {
-  constexpr bool is_exact = true; // where walking leads astray the distance is too large, and the result could be, too
+  constexpr bool is_exact = true; // distances that a walk makes too large would permit a worse result
   const Face_sampling sampling(remesh, remesh.points);
   const auto feet_of = [&](std::size_t f) {
     return feet_of_face<typename Reference::Foot>(remesh, f, samples.vertices, samples.midpoints);

@@ -30,9 +30,9 @@
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
-// The largest distance from the patches of a reference to the remesh. Where the bounds with the initial points, and how far
-// the vertices have moved, do not tell that nothing is farther away than it was, patches are bounded with the next points,
-// again only if the faces have changed since; and distances are measured only where these bounds do not tell it either.
+// The largest distance from the patches of a reference to the remesh. If the bounds with the initial points, and the
+// displacements of the vertices, do not prove that the maximum has not grown, patches are bounded with the next points, and
+// again only if the faces have changed since. Distances are measured only if these bounds do not suffice either.
 template <typename Reference>
 class Maximum_from_reference
 {

@@ -29,7 +29,7 @@
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
-// Compares the mean distance to the reference with that of the initial points, face by face: only those that have moved
+// Compares the mean distance to the reference with that of the initial points, face by face: only faces that have moved can
 // differ, whatever the samples of the others say.
 template <typename Reference>
 class Mean_comparison
@@ -42,8 +42,7 @@ public:
     : m_remesh(remesh), m_initial(initial), m_distances(distances), m_moves(moves)
   {}
 
-  // Whether the mean is lower than at first beyond what the samples may be wrong by. That must be more than nothing, or it may
-  // be higher.
+  // Whether the mean has fallen by more than the uncertainty of the samples; otherwise, it may have risen.
   template <typename ConcurrencyTag>
   bool is_lower() const
   {

@@ -116,9 +116,9 @@ public:
     return result;
   }
 
-  // Shortens the moves that have raised the mean, given by how much the integrals over the faces have changed: where they have
-  // more than doubled moves are taken back, as a part of them would do harm, too, and elsewhere they are halved. Without a
-  // face that has raised it nobody knows which ones have, and all are taken back. Returns whether there were any.
+  // Shortens the moves that have raised the mean, given by how much the integrals over the faces have changed: where these
+  // have more than doubled, moves are taken back, as even a part of them would do harm; elsewhere, they are halved. If no
+  // face has raised the mean, the harmful moves are unknown, and all are taken back. Returns whether there were any.
   bool shorten_raising(const std::vector<double>& initial_integrals, const std::vector<double>& changes, bool takes_back)
   {
     const Indices raising = vertices_with_positive_sum(changes);

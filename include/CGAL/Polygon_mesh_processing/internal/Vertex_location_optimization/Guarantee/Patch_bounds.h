@@ -53,7 +53,7 @@ public:
     const Index patch = static_cast<Index>(i);
     const Piece_of_patch piece = whole_patch(m_reference, patch);
     const double sag_of_patch = m_reference.patch(patch).deviation();
-    const double bound = distance(piece.center(), face, limit) + piece.radius() + sag_of_patch; // none is steeper than one
+    const double bound = distance(piece.center(), face, limit) + piece.radius() + sag_of_patch; // no slope exceeds one
     if(bound <= enough)
     {
       faces.push_back(face);

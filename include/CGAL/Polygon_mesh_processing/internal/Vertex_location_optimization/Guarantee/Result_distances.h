@@ -36,8 +36,8 @@
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
-// The distance to the reference of the remesh with its vertices at the next points, sampled; in the end that is the result
-// of the run.
+// The sampled distance to the reference of the remesh with its vertices at the next points, which finally are the result of
+// the run.
 template <typename Reference>
 class Result_distances
 {
@@ -129,7 +129,7 @@ public:
     return faces;
   }
 
-  // Measures what `update()` has left out of faces that are as they were at first, in the end.
+  // Finally measures the samples that `update()` has skipped on faces that have not moved.
   template <typename ConcurrencyTag>
   void complete()
   {
@@ -221,7 +221,7 @@ private:
   // corner or a midpoint of a side.
   bool may_exceed(std::size_t f, double limit) const
   {
-    // relative to the limit; where no sample is larger, no point between them is thought to be
+    // relative to the limit; below it, no larger distance is expected between the samples
     constexpr double small_if_smooth = 0.6, small_at_edges = 0.05;
     const double sampled = sampled_maximum(f);
     const std::array<Point, 3> t = m_remesh.triangle(f, m_remesh.next_points);
@@ -263,7 +263,7 @@ private:
                         m_remesh.length_at(m_remesh.edges[e]));
   }
 
-  // The orientation is that at the closest point: on a thin part that of another sheet has the opposite normal.
+  // The orientation requires the exact closest point: on a thin part, another sheet has the opposite normal.
   void measure_face(std::size_t f)
   {
     const std::array<Point, 3> t = m_remesh.triangle(f, m_remesh.next_points);
@@ -276,7 +276,7 @@ private:
                    orientation_at(m_reference, foot, m_remesh.area_normal(f, m_remesh.next_points)) };
   }
 
-  // Face f is as it was at first: so is its mean, whatever walking leads to.
+  // Face f has not moved: its mean has not changed, whatever a walk finds.
   void restore_face(std::size_t f)
   {
     m_faces[f].mean = m_initial.means[f];

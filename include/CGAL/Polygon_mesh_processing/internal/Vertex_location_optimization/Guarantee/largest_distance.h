@@ -30,7 +30,7 @@
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
 // The largest distance of face f with its corners at `t`, if it is larger than `bound`; otherwise `bound`. It may be at a
-// sample where the search has not found it: `sampled_maximum` is that of the samples, or more where walking has missed closer
+// sample where the search has not found it: `sampled_maximum` is that of the samples, or larger if walking has missed closer
 // points. `feet` are hints.
 template <typename Reference>
 double largest_distance_on_face(const Reference& reference,

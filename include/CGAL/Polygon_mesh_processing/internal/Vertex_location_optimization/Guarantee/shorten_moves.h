@@ -58,7 +58,7 @@ private:
 // Halves the move of a vertex from `origin`, to which it returns when it has been halved too often.
 inline void halve_move(const Point& origin, Point& next, unsigned char& number_of_halvings)
 {
-  constexpr unsigned char max_halvings = 6; // what is left then, 2% of the move, is not worth the time
+  constexpr unsigned char max_halvings = 6; // the remaining 2% of the move is not worth the time
   next = ++number_of_halvings > max_halvings ? origin : midpoint(origin, next);
 }
 

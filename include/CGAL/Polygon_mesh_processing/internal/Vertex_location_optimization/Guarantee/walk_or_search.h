@@ -21,8 +21,8 @@
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
-// The closest point: by walking if that leads to it beyond doubt, to a point that is not farther away than `near` and whose
-// normal leads to p; by a search otherwise.
+// The closest point: by walking if the result is certain, that is, not farther away than `near` and with a normal that
+// points to p; otherwise by a search.
 template <typename Reference>
 typename Reference::Foot
 walk_or_search(const Reference& reference, const Point& p, const typename Reference::Foot& hint, const double near)

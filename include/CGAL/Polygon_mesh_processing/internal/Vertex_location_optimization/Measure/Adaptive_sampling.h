@@ -125,7 +125,7 @@ private:
     std::iota(order.begin(), order.end(), Index(0));
     std::sort(order.begin(), order.end(),
               [&](Index a, Index b) { return gains[a] > gains[b] || (gains[a] == gains[b] && a < b); });
-    // near the end a few blocks may have all of it, which the others may not tell: a round of half of the blocks at most
+    // near the end, a few blocks may have all of it, unnoticed by the others: at most half of the blocks in a round
     const bool is_far = variance > square(3) * allowed;
     const auto last = is_far ? order.end() : order.begin() + (order.size() + 1) / 2;
     auto end = order.begin();
@@ -135,9 +135,9 @@ private:
     return order;
   }
 
-  // The variance of a block as those before and after it tell. What is chosen by its own samples would be biased: blocks
-  // that seem certain by chance would stay coarse, and make the mean too small. Only a few that have a good part of what is
-  // allowed in all speak for themselves.
+  // The variance of a block, estimated from those before and after it. A choice by its own samples would be biased: blocks
+  // that seem accurate by chance would stay coarse, and make the mean too small. Only a few blocks with a large part of the
+  // total variance allowed are judged by their own samples.
   double expected_variance(const Index b, const double allowed) const
   {
     constexpr Index reach = 2;

@@ -24,7 +24,7 @@
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
-// What is measured of a face.
+// The result of measuring a face.
 struct Face_measurement : Face_error // whose maximum is that of the samples that are exact
 {
   double variance = 0;         // of the mean, as a few samples say
@@ -174,8 +174,8 @@ private:
     return std::isfinite(area) && area > 0 ? area / detail : 0;
   }
 
-  // Integrates the interpolated distance over a piece, which is part of the face, and adds what it misses as a few samples
-  // say, which are spread evenly over the pieces.
+  // Integrates the interpolated distance over a piece, which is part of the face, and adds the interpolation error,
+  // estimated from a few samples spread evenly over the pieces.
   void add(const Piece& piece, const double part, const int number_of_tests)
   {
     const Quadratic_interpolant interpolant = piece.interpolate(m_sampler.normal());

@@ -22,7 +22,8 @@
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
-// How a face lies to the normals of the reference at a point: on an edge the reference has several.
+// The orientation of a face relative to the normals of the reference at a point: on an edge, the reference has several
+// normals.
 enum class Face_orientation : char
 {
   CONSISTENT, // with all of them

@@ -43,7 +43,7 @@ struct Distance_sample
   double distance;
   double patch_area; // of the patch that the closest point is in
   Foot foot;
-  bool is_exact; // else the closest point may be elsewhere, and closer
+  bool is_exact; // otherwise, the closest point may be another one
 };
 
 // A piece of a face, with samples at its corners and at the midpoints of the sides opposite to them.
@@ -98,7 +98,8 @@ struct Face_piece
                         squared_distance(corners[2].point, corners[0].point) });
   }
 
-  // The area of the details of the distance here: that of the patches of the reference; far away from it they blur.
+  // The area of the details of the distance here: that of the patches of the reference, whose effect blurs with the
+  // distance.
   double area_of_detail() const
   {
     constexpr double blur = 0.25;

@@ -72,8 +72,8 @@ public:
     return result;
   }
 
-  // The largest distance to which steps from a sample lead, which are halved where none leads farther, until around the last
-  // point it hardly changes.
+  // The largest distance reached by steps from a sample, which are halved when none leads farther, until the distance hardly
+  // changes around the last point.
   double climb(const std::array<Sample, 3>& corners, Sample best) const
   {
     constexpr double first_step = 1. / 8; // relative to the sides of the face
@@ -139,8 +139,8 @@ private:
   const Vector m_normal;
 };
 
-// Raises the maxima of the faces on which the largest distance of all may be. The work is bounded: where all faces are
-// nearly as far away as each other not all are looked at, but then those that are say enough.
+// Raises the maxima of the faces on which the largest distance of all may be. The work is bounded: if all faces are about
+// equally far away, not all of them are searched, but those searched are then representative.
 template <typename ConcurrencyTag, typename Reference, typename CornersOf, typename NormalOf>
 class Maximum_search
 {
@@ -189,7 +189,7 @@ private:
   template <typename Key>
   void search(const Key& key, const Effort& effort)
   {
-    constexpr std::size_t batch_size = 32; // searched with the same knowledge, whatever the number of threads
+    constexpr std::size_t batch_size = 32; // searched with the same known maximum, whatever the number of threads
     const std::vector<Index> order = promising_faces(key, effort.most_faces);
     std::array<Found, batch_size> results;
     std::size_t number_of_cuts = 0;

@@ -29,7 +29,7 @@
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
-// What `approximation_error()` does, with the selected faces.
+// The implementation of `approximation_error()`, for the selected faces.
 template <typename ConcurrencyTag,
           typename PolygonMesh,
           typename Selection,

@@ -44,7 +44,7 @@ struct Angle_integral
   }
 };
 
-// How many samples of a face it takes: so many for each of the reference's faces that it covers, as its corners tell.
+// The number of samples of a face: a number for each face of the reference that it covers, as estimated at its corners.
 template <typename Reference>
 std::size_t number_of_normal_samples(const Reference& reference,
                                      const std::array<typename Reference::Foot, 3>& corner_feet,
@@ -113,7 +113,7 @@ std::vector<Vector> face_normals_at_corners(const Mesh_arrays& mesh)
   return normals;
 }
 
-// What `normal_deviation()` does, with the normals `make_corner_normals(mesh, descriptors)`.
+// The implementation of `normal_deviation()`, with the normals `make_corner_normals(mesh, descriptors)`.
 template <typename ConcurrencyTag,
           typename TriangleMesh,
           typename Reference,

@@ -38,7 +38,7 @@ struct Sampling_density
 {
   bool is_given() const { return number_of_points_per_face > 0 || number_of_points_per_area_unit > 0; }
 
-  // what one says, or the other, if it is more
+  // the larger number of the two parameters
   std::size_t number_of_points(const double area) const
   {
     constexpr double most = 1e9; // what overflows is not sampled any denser
@@ -67,7 +67,7 @@ Sampling_density read_sampling_density(const NamedParameters& np)
   return density;
 }
 
-// The points of the reference that `points`, of which those in a row are near each other, are closest to.
+// The points of the reference closest to `points`, of which consecutive ones are near each other.
 template <typename ConcurrencyTag, typename Reference>
 std::vector<typename Reference::Foot> project_vertices(const std::vector<Point>& points, const Reference& reference)
 {

@@ -59,10 +59,15 @@ void sample_patches(const std::vector<Patch>& patches,
                     const AreaAt& area,
                     const F& f)
 {
-  std::vector<double> areas = spread_over_patches(patches.size(), m, hint, area); // that each sample in a patch stands for
+  // that each sample in a patch stands for
+  const std::vector<double> areas = spread_over_patches(patches.size(), m, hint, area);
+  std::vector<double> areas_of_patches(patches.size()); // computed once, as to read all patches takes long
   double number_of_samples = 0;
   for(Index i = 0; i < areas.size(); ++i)
-    number_of_samples += areas[i] > 0 ? patches[i].area() / areas[i] : 0;
+  {
+    areas_of_patches[i] = patches[i].area();
+    number_of_samples += areas[i] > 0 ? areas_of_patches[i] / areas[i] : 0;
+  }
   if(!(number_of_samples > 0))
     return;
 
@@ -73,7 +78,7 @@ void sample_patches(const std::vector<Patch>& patches,
     const double area_of_sample = areas[i] * (number_of_samples / n);
     if(!(area_of_sample > 0))
       continue;
-    for(passed += patches[i].area() / area_of_sample; number + 0.5 < passed; ++number)
+    for(passed += areas_of_patches[i] / area_of_sample; number + 0.5 < passed; ++number)
       f(Patch_foot{ i, low_discrepancy_coordinates(number) }, area_of_sample);
   }
 }

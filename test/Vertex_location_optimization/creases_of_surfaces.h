@@ -13,6 +13,7 @@
 #include "Independent_PN_mesh.h"
 #include "tessellate_patches.h"
 #include "mesh_quality.h"
+#include "read_model.h"
 #include "test_meshes.h"
 
 #include <CGAL/Polygon_mesh_processing/Flat_triangle_surface.h>
@@ -171,8 +172,7 @@ inline void test_watertight()
     CHECK_AT_MOST(distance_to(can_surface, Point(radius * std::cos(angle), radius * std::sin(angle), height)), 1e-9);
   }
 
-  Mesh fandisk;
-  CHECK(CGAL::IO::read_OFF(CGAL::data_file_path("meshes/fandisk.off"), fandisk));
+  const Mesh fandisk = read_model("fandisk");
   check_walks(fandisk, PN_surface(fandisk), 10, is_sharp(fandisk));
 
   // creases where there is none

@@ -13,7 +13,6 @@
 #include "remeshes.h"
 #include "test_meshes.h"
 
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/Polygon_mesh_processing/approximation_error.h>
 #include <CGAL/Polygon_mesh_processing/distance.h>
 #include <CGAL/Polygon_mesh_processing/Flat_triangle_surface.h>
@@ -68,8 +67,7 @@ inline void test_models()
       { Figures{ "armadillo", 57.0221e-4, 67.4302e-4, 169.259e-4 }, Figures{ "knot1", 54.3765e-4, 64.6299e-4, 165.232e-4 },
         Figures{ "fandisk", 58.2218e-4, 66.2516e-4, 156.001e-4 } })
   {
-    Mesh reference;
-    CHECK(CGAL::IO::read_polygon_mesh(CGAL::data_file_path(std::string("meshes/") + figures.name + ".off"), reference));
+    const Mesh reference = read_model(figures.name);
     CGAL::Bbox_3 box;
     for(const Point& p : reference.points())
       box += p.bbox();

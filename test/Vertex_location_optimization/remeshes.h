@@ -9,6 +9,7 @@
 #include "check.h"
 #include "Distance_to_mesh.h"
 #include "mesh_quality.h"
+#include "read_model.h"
 #include "test_meshes.h"
 
 #include <CGAL/bounding_box.h>
@@ -23,13 +24,6 @@
 #include <vector>
 
 // Remeshes of real models, and what must not get worse with them.
-
-inline Mesh read_model(const std::string& name)
-{
-  Mesh mesh;
-  CHECK(CGAL::IO::read_OFF(CGAL::data_file_path("meshes/" + name + ".off"), mesh));
-  return mesh;
-}
 
 inline double longest_side(const Mesh& mesh)
 {

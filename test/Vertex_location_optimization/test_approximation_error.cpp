@@ -227,6 +227,34 @@ void test_normal_deviation()
   CHECK_NEAR(PMP::normal_deviation(sphere, Exact_sphere(), sphere_normals), 0., 1e-6);
 }
 
+// A face of which each corner lies over a face of the reference that is tiny, unlike the others.
+void test_normals_of_large_face()
+{
+  start_topic("normals of a large face whose corners lie over tiny faces");
+  constexpr std::size_t n = 12;
+  constexpr double tiny = 1e-4;
+  const auto line = [&](double i) { return i == 0 ? 0. : i == n ? 1. : tiny + (1 - 2 * tiny) * (i - 1) / (n - 2); };
+  const auto on_waves = [](double x, double y) { return Point(x, y, std::sin(45 * x) * std::cos(31.5 * y + 0.7) / 90); };
+  const Mesh reference =
+    moved(triangle_grid(n, n, false, 0), [&](const Point& p) { return on_waves(line(p.x()), line(p.y())); });
+  const Flat_surface surface(reference);
+  const Point a = on_waves(tiny / 2, tiny / 3), b = on_waves(1 - tiny / 2, tiny / 3), c = on_waves(tiny / 3, 1 - tiny / 2);
+  const Vector normal = CGAL::unit_normal(a, b, c);
+
+  constexpr int level = 600;
+  double sum = 0;
+  for(int i = 0; i < level; ++i)
+    for(int j = 0; j < level - i; ++j)
+      for(const double offset : { 1 / 3., 2 / 3. })
+        if(offset < 0.5 || i + j + 1 < level)
+        {
+          const double u = (i + offset) / level, v = (j + offset) / level;
+          sum += std::acos(surface.normal(surface.project(a + (u * (b - a) + v * (c - a)))) * normal);
+        }
+  const double mean = sum / (level * level) * 180 / CGAL_PI;
+  CHECK_NEAR(PMP::normal_deviation(make_mesh(Soup{ { a, b, c }, { { 0, 1, 2 } } }), surface), mean, 0.005 * mean);
+}
+
 void test_degenerate_input()
 {
   start_topic("degenerate input");
@@ -276,6 +304,7 @@ int main()
   test_error_maps();
   test_threads();
   test_normal_deviation();
+  test_normals_of_large_face();
   test_degenerate_input();
   test_models();
   test_maximum_between_samples();

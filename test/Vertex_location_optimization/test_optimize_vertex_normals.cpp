@@ -6,9 +6,9 @@
 // Normals that are known, and what normals must be on any input.
 
 #include "check.h"
+#include "read_model.h"
 #include "test_meshes.h"
 
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/Polygon_mesh_processing/approximation_error.h>
 #include <CGAL/Polygon_mesh_processing/compute_normal.h>
 #include <CGAL/Polygon_mesh_processing/Flat_triangle_surface.h>
@@ -268,8 +268,7 @@ void test_threads_and_types()
 void test_model()
 {
   start_topic("a model of CGAL");
-  Mesh input;
-  CHECK(CGAL::IO::read_polygon_mesh(CGAL::data_file_path("meshes/knot1.off"), input));
+  const Mesh input = read_model("knot1");
   CGAL::Bbox_3 box;
   for(const Point& p : input.points())
     box += p.bbox();

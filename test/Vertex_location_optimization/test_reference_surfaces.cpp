@@ -11,6 +11,7 @@
 #include "Independent_PN_mesh.h"
 #include "tessellate_patches.h"
 #include "mesh_quality.h"
+#include "read_model.h"
 #include "test_meshes.h"
 
 #include <CGAL/Polygon_mesh_processing/Flat_triangle_surface.h>
@@ -201,8 +202,7 @@ int main()
   test_against_brute_force(icosahedron, 80, 0.1, 1);
 
   start_topic("Feet on the elephant");
-  Mesh elephant;
-  CHECK(CGAL::IO::read_OFF(CGAL::data_file_path("meshes/elephant.off"), elephant));
+  const Mesh elephant = read_model("elephant");
   const CGAL::Bbox_3 box = CGAL::bbox_3(elephant.points().begin(), elephant.points().end());
   const double size = box.ymax() - box.ymin();
   test_against_brute_force(elephant, 8, 0.005 * size, 0.05 * size);

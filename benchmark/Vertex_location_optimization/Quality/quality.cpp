@@ -113,7 +113,8 @@ int main(int argc, char* argv[])
     print_table_of_normals(directories);
     std::cout << "Limits\n\n";
     print_table_of_limits(std::cout);
-    make_trade_off({ "armadillo", read_model(data_file("armadillo")), 0.03 }, std::cout);
+    if(Mesh armadillo = read_model(data_file("armadillo")); !armadillo.is_empty())
+      make_trade_off({ "armadillo", std::move(armadillo), 0.03 }, std::cout);
     if(!csv)
       throw std::runtime_error("quality.csv cannot be written");
     return EXIT_SUCCESS;

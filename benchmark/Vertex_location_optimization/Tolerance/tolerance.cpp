@@ -48,8 +48,12 @@ struct Model
 Model read_model(const std::string& name, double crease_angle)
 {
   Model model{ name, crease_angle, {}, {}, 0 };
-  if(!PMP::IO::read_polygon_mesh(CGAL::data_file_path("meshes/" + name + ".off"), model.input))
-    std::cerr << name << " cannot be read" << std::endl;
+  const std::string file = CGAL::data_file_path("meshes/" + name + ".off");
+  if(!PMP::IO::read_polygon_mesh(file, model.input) || is_empty(model.input))
+  {
+    std::cerr << file << " cannot be read" << std::endl;
+    std::exit(EXIT_FAILURE);
+  }
   model.is_crease = model.input.add_property_map<Mesh::Edge_index, bool>("e:is_crease", false).first;
   if(crease_angle < 180)
     PMP::detect_sharp_edges(model.input, crease_angle, model.is_crease);

@@ -93,15 +93,16 @@ public:
   void measure()
   {
     for_each_element<ConcurrencyTag>(
-      m_remesh, [&](std::size_t i) { measure_vertex(i); }, [&](std::size_t e) { measure_midpoint(e); },
-      [&](std::size_t f) {
-        constexpr std::size_t ahead = 8;
-        if(f + ahead < m_remesh.number_of_faces())
-          m_reference.prefetch(barycenter_hint(f + ahead));
-        measure_face(f);
-        if(!has_moved(f))
-          restore_face(f);
-      });
+      m_remesh, [&](std::size_t i) { measure_vertex(i); }, [&](std::size_t e) { measure_midpoint(e); }, [](std::size_t) {});
+    // afterwards, as a face reads what is measured at all of its corners and sides
+    for_each_index<ConcurrencyTag>(m_remesh.number_of_faces(), [&](std::size_t f) {
+      constexpr std::size_t ahead = 8;
+      if(f + ahead < m_remesh.number_of_faces())
+        m_reference.prefetch(barycenter_hint(f + ahead));
+      measure_face(f);
+      if(!has_moved(f))
+        restore_face(f);
+    });
     m_points = m_remesh.next_points;
   }
 

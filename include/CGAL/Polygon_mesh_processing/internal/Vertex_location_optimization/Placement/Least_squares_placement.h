@@ -153,7 +153,7 @@ public:
 private:
   bool are_area_samples_due() const
   {
-    constexpr int period = 3, last = 12; // iterations; they trade time for the error, by 1% on remeshes and 4% at creases
+    constexpr int period = 3, last = 15; // iterations; they trade time for the error, by 1% on remeshes and 4% at creases
     // polygons, each of which is many overlapping triangles, do not settle as well if their samples change
     return !m_remesh.has_polygons() && m_number_of_resamplings % period == 0 && m_number_of_resamplings <= last;
   }

@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
@@ -59,23 +60,18 @@ void sample_patches(const std::vector<Patch>& patches,
                     const AreaAt& area,
                     const F& f)
 {
-  std::vector<double> areas = spread_over_patches(patches.size(), m, hint, area); // that each sample in a patch stands for
-  double number_of_samples = 0;
-  for(Index i = 0; i < areas.size(); ++i)
-    number_of_samples += areas[i] > 0 ? patches[i].area() / areas[i] : 0;
-  if(!(number_of_samples > 0))
-    return;
+  const std::vector<double> areas = spread_over_patches(patches.size(), m, hint, area); // that a sample there stands for
+  std::vector<double> numbers(patches.size());                                          // of samples
+  for(Index i = 0; i < patches.size(); ++i)
+    numbers[i] = areas[i] > 0 ? patches[i].area() / areas[i] : 0;
+  const double factor = n / std::accumulate(numbers.begin(), numbers.end(), 0.); // so that they are n
 
   double passed = 0;
   std::size_t number = 0; // of the samples so far
   for(Index i = 0; i < patches.size(); ++i)
-  {
-    const double area_of_sample = areas[i] * (number_of_samples / n);
-    if(!(area_of_sample > 0))
-      continue;
-    for(passed += patches[i].area() / area_of_sample; number + 0.5 < passed; ++number)
-      f(Patch_foot{ i, low_discrepancy_coordinates(number) }, area_of_sample);
-  }
+    if(numbers[i] > 0)
+      for(passed += factor * numbers[i]; number + 0.5 < passed; ++number)
+        f(Patch_foot{ i, low_discrepancy_coordinates(number) }, areas[i] / factor);
 }
 
 } // namespace CGAL::Polygon_mesh_processing::internal::vertex_location

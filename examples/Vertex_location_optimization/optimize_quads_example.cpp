@@ -31,7 +31,7 @@ int main(int argc, char* argv[])
   Mesh control_mesh;
   if(!PMP::IO::read_polygon_mesh(filename, control_mesh) || control_mesh.is_empty())
   {
-    std::cerr << "error: " << filename << " is no polygon mesh" << std::endl;
+    std::cerr << "error: " << filename << " is not a polygon mesh" << std::endl;
     return EXIT_FAILURE;
   }
 

@@ -31,7 +31,7 @@ int main(int argc, char* argv[])
   Mesh input;
   if(!PMP::IO::read_polygon_mesh(filename, input) || !CGAL::is_triangle_mesh(input))
   {
-    std::cerr << "error: " << filename << " is no triangle mesh" << std::endl;
+    std::cerr << "error: " << filename << " is not a triangle mesh" << std::endl;
     return EXIT_FAILURE;
   }
 

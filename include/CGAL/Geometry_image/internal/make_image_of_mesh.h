@@ -36,7 +36,7 @@
 
 namespace CGAL::internal::geometry_image {
 
-// why a triangle mesh is no disk that can be parameterized, and what helps; empty if it is one
+// why a triangle mesh is not a disk that can be parameterized, and how to fix it; empty if it is one
 inline std::string why_no_disk(const Double_mesh& mesh, std::size_t number_of_borders)
 {
   if(num_faces(mesh) == 0)
@@ -77,7 +77,7 @@ inline Double_mesh::Halfedge_index find_first_corner(const Double_mesh& mesh, Do
                            [&](auto g, auto h) { return angle_before(g) < angle_before(h); });
 }
 
-// Makes the image; returns what keeps it from being made, which is nothing if it is.
+// Makes the image; returns an error message, which is empty on success.
 template <typename TriangleMesh, typename VertexPointMap, typename Point_3>
 std::string make_image_of_mesh(const TriangleMesh& tmesh, const VertexPointMap& vpm, Geometry_image<Point_3>& image)
 {

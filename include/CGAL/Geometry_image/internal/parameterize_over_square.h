@@ -33,7 +33,7 @@ using Square_parameterizer = Surface_mesh_parameterization::Mean_value_coordinat
   Double_mesh,
   Surface_mesh_parameterization::Square_border_arc_length_parameterizer_3<Double_mesh>>;
 
-// Mean value coordinates, in which each vertex attracts its neighbors with a strength of its own.
+// Mean value coordinates in which each vertex attracts its neighbors with its own strength.
 class Weighted_square_parameterizer : public Square_parameterizer
 {
 public:
@@ -97,10 +97,10 @@ Stretch measure_stretch(const Double_mesh& mesh, const UVMap& uvmap)
 }
 
 // Maps a disk to the unit square, with the source of a border halfedge in a corner, such that a regular grid on the square
-// samples the surface evenly: as long as that lessens the stretch in all, vertices that the map is stretched around
-// attract their neighbors less. This is the method of Yoshizawa, Belyaev, and Seidel, "A fast and simple
-// stretch-minimizing mesh parameterization". CGAL's Iterative_authalic_parameterizer_3 gets at most 3% less stretch on the
-// lion's head and on Nefertiti, in two to five times the time, and prints its progress on the standard output.
+// samples the surface evenly: as long as this reduces the total stretch, vertices around which the map is stretched attract
+// their neighbors less. This is the method of Yoshizawa, Belyaev, and Seidel, "A fast and simple stretch-minimizing mesh
+// parameterization". CGAL's Iterative_authalic_parameterizer_3 gets at most 3% less stretch on the lion's head and on
+// Nefertiti, in two to five times the time, and prints its progress on the standard output.
 template <typename UVMap>
 Surface_mesh_parameterization::Error_code
 parameterize_over_square(Double_mesh& mesh, Double_mesh::Halfedge_index border, UVMap uvmap)

@@ -33,7 +33,7 @@
 
 namespace CGAL::internal::geometry_image {
 
-// The files that geometry images are stored in. Whatever is wrong with one is told by a std::runtime_error.
+// The files that geometry images are stored in. Errors are reported by a std::runtime_error.
 enum class Raster_format
 {
   GIM,
@@ -74,7 +74,7 @@ inline bool read_header_of_GIM(std::istream& is, Raster& raster)
   return true;
 }
 
-// The same. The magnitude of the scale is the unit of the samples, which nobody uses; its sign is the byte order.
+// The same. The magnitude of the scale, the unit of the samples, is ignored; its sign is the byte order.
 inline bool read_header_of_PFM(std::istream& is, Raster& raster)
 {
   is.imbue(std::locale::classic());
@@ -87,7 +87,7 @@ inline bool read_header_of_PFM(std::istream& is, Raster& raster)
   return scale < 0;
 }
 
-// Reads the samples that the header announces. The memory grows with what is there, not with what is announced.
+// Reads the number of samples given in the header. The memory grows with the samples actually read, not with this number.
 inline void read_samples(std::istream& is, bool is_little_endian, Raster& raster)
 {
   const std::uint64_t size = static_cast<std::uint64_t>(raster.width) * static_cast<std::uint64_t>(raster.height);

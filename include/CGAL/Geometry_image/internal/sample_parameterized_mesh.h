@@ -32,7 +32,7 @@ namespace CGAL::internal::geometry_image {
 using Double_kernel = Polygon_mesh_processing::internal::vertex_location::Kernel;
 using Double_mesh = Surface_mesh<Double_kernel::Point_3>;
 
-// barycentric coordinates of p; not finite if the triangle has no area, which CGAL's must have
+// barycentric coordinates of p; not finite if the triangle has no area, which CGAL's functions require
 inline std::array<double, 3> barycentric_coordinates(const std::array<Double_kernel::Point_2, 3>& t,
                                                      const Double_kernel::Point_2& p)
 {
@@ -44,8 +44,8 @@ inline std::array<double, 3> barycentric_coordinates(const std::array<Double_ker
 }
 
 // Samples a mesh, which `uvmap` maps to the unit square, at a regular grid: rows are lines of equal u, columns of equal v.
-// A sample is taken from the face that it is in or, as far as rounding is concerned, nearest to be in. Returns false if
-// there is one without a face.
+// A sample is taken from the face that contains it or, because of rounding, comes nearest to containing it. Returns false if
+// a sample is in no face.
 template <typename UVMap, typename Point_3>
 bool sample_parameterized_mesh(const Double_mesh& mesh, const UVMap& uvmap, Geometry_image<Point_3>& image)
 {

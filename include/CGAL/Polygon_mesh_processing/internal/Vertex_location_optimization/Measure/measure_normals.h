@@ -44,9 +44,8 @@ struct Angle_integral
   }
 };
 
-// The number of samples of a face: a number for each face of the reference that it covers, as estimated at its corners, but
-// not more than `enough`: the estimate is far too large where the corners lie in faces that are much smaller than the
-// others.
+// The number of samples of a face: a number for each face of the reference that it covers, as estimated at its corners. The
+// number is limited, as the estimate is far too large where the corners lie in faces that are much smaller than the others.
 template <typename Reference>
 std::size_t number_of_normal_samples(const Reference& reference,
                                      const std::array<typename Reference::Foot, 3>& corner_feet,

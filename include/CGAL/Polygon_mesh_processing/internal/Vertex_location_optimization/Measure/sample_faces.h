@@ -50,7 +50,7 @@ struct Sampling_density
   double number_of_points_per_area_unit = 0;
 };
 
-// what the named parameters say
+// the density given by the named parameters
 template <typename NamedParameters>
 Sampling_density read_sampling_density(const NamedParameters& np)
 {

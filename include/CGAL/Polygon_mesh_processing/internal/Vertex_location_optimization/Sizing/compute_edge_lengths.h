@@ -161,7 +161,7 @@ inline double estimate_number_of_vertices(const Mesh_arrays& mesh, const std::ve
   return number;
 }
 
-// The target edge lengths at the vertices of a mesh for about so many vertices.
+// The target edge lengths at the vertices of a mesh for about this number of vertices.
 inline std::vector<double> compute_edge_lengths(
   const Mesh_arrays& mesh, const Vertex_means& curvatures, Tolerated_error kind, double number_of_vertices, double gradation)
 {

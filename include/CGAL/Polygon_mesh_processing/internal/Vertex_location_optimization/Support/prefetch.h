@@ -19,7 +19,7 @@
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
-// asks for `object` to be brought to the cache, where the compiler has a way to say so
+// prefetches `object` to the cache, if the compiler supports it
 template <typename T>
 void prefetch(const T& object)
 {

@@ -59,8 +59,8 @@ Fit_of_faces measure_fit(const std::array<Point, 3>& t, const Reference& referen
   return { std::sqrt(distance2), area > 0 ? normal * normal_of_reference / area : -1 };
 }
 
-// Flips sides of faces where the two faces of the flipped edge are closer to the reference, so that vertices at a ridge, say,
-// are joined along it and not through it.
+// Flips sides of faces where the two faces of the flipped edge are closer to the reference, so that, for example, vertices
+// on a ridge are joined along the ridge and not across it.
 template <typename TriangleMesh, typename VertexPointMap, typename EdgeIsConstrainedMap, typename Reference>
 class Side_flips
 {

@@ -157,51 +157,13 @@ public:
   template <typename ConcurrencyTag, typename Reference, typename HintOfFace>
   void start(const Reference& reference, const Remesh& remesh, const HintOfFace& hint)
   {
-    constexpr std::size_t samples_per_face = 6; // of the remesh; they take most of the time and memory of the fit
-    const Index number_of_faces = static_cast<Index>(remesh.number_of_faces());
-    const double number_of_triangles = remesh.total_weight() + remesh.surroundings.total_weight();
-    const std::size_t n = samples_per_face * static_cast<std::size_t>(std::round(number_of_triangles));
-    m_area = reference.area() / n;
-    m_points.clear();
-    m_normals.clear();
-    m_weights.clear();
     m_feet = std::vector<Patch_foot>(); // frees memory for the tree of the faces
     m_samples_of_faces = Index_groups();
-    if(m_area > 0)
-    {
-      m_points.reserve(n);
-      m_normals.reserve(n);
-      m_weights.reserve(n);
-      take_area_samples<ConcurrencyTag>(reference, remesh, n, hint, [&](const auto& foot, double area_of_sample) {
-        m_points.push_back(reference.point(foot));
-        m_normals.push_back(reference.normal(foot));
-        m_weights.push_back(static_cast<float>(area_of_sample / m_area));
-      });
-    }
-
-    m_travels.assign(number_of_faces, 0);
-    if(m_points.empty())
-    {
-      group_by_face(number_of_faces);
-      return;
-    }
-    std::vector<Index> faces(m_points.size());
-    project_to_faces<ConcurrencyTag>(
-      make_face_tree(remesh, remesh.points), m_points.size(), [&](std::size_t i) -> const Point& { return m_points[i]; },
-      [&](std::size_t i, const Patch_foot& foot) { faces[i] = foot.patch; });
-    // samples closest to the surroundings come last, and are left out
-    const auto group_of = [&](Index i) { return (std::min)(faces[i], number_of_faces); };
-    std::vector<Index> order = Index_groups(number_of_faces + 1, faces.size(), group_of).members();
-    order.resize(std::count_if(faces.begin(), faces.end(), [&](Index f) { return f < number_of_faces; }));
-    permute(m_points, order);
-    permute(m_normals, order);
-    permute(m_weights, order);
-    m_feet.resize(order.size());
-    for_each_index<ConcurrencyTag>(m_feet.size(), [&](std::size_t i) {
-      const Index face = faces[order[i]];
-      m_feet[i] = in_first_face(remesh, { face, closest_on_triangle(remesh.triangle(face), m_points[i]) });
-    });
-    group_by_face(number_of_faces);
+    take<ConcurrencyTag>(reference, remesh, hint);
+    m_travels.assign(remesh.number_of_faces(), 0);
+    if(!m_points.empty())
+      project<ConcurrencyTag>(remesh);
+    group_by_face(remesh.number_of_faces());
   }
 
   // Finds the closest points for `remesh.points` from the last ones, but keeps those on faces whose vertices have gone no
@@ -235,6 +197,52 @@ public:
   }
 
 private:
+  template <typename ConcurrencyTag, typename Reference, typename HintOfFace>
+  void take(const Reference& reference, const Remesh& remesh, const HintOfFace& hint)
+  {
+    constexpr std::size_t samples_per_face = 6; // of the remesh; they take most of the time and memory of the fit
+    const double number_of_triangles = remesh.total_weight() + remesh.surroundings.total_weight();
+    const std::size_t n = samples_per_face * static_cast<std::size_t>(std::round(number_of_triangles));
+    if(!(m_area > 0)) // else it is known
+      m_area = reference.area() / n;
+    m_points.clear();
+    m_normals.clear();
+    m_weights.clear();
+    if(!(m_area > 0))
+      return;
+    m_points.reserve(n);
+    m_normals.reserve(n);
+    m_weights.reserve(n);
+    take_area_samples<ConcurrencyTag>(reference, remesh, n, hint, [&](const auto& foot, double area_of_sample) {
+      m_points.push_back(reference.point(foot));
+      m_normals.push_back(reference.normal(foot));
+      m_weights.push_back(static_cast<float>(area_of_sample / m_area));
+    });
+  }
+
+  // Finds the closest points of the remesh, and sorts the samples by their faces.
+  template <typename ConcurrencyTag>
+  void project(const Remesh& remesh)
+  {
+    const Index number_of_faces = static_cast<Index>(remesh.number_of_faces());
+    std::vector<Index> faces(m_points.size());
+    project_to_faces<ConcurrencyTag>(
+      make_face_tree(remesh, remesh.points), m_points.size(), [&](std::size_t i) -> const Point& { return m_points[i]; },
+      [&](std::size_t i, const Patch_foot& foot) { faces[i] = foot.patch; });
+    // samples closest to the surroundings come last, and are left out
+    const auto group_of = [&](Index i) { return (std::min)(faces[i], number_of_faces); };
+    std::vector<Index> order = Index_groups(number_of_faces + 1, faces.size(), group_of).members();
+    order.resize(std::count_if(faces.begin(), faces.end(), [&](Index f) { return f < number_of_faces; }));
+    permute(m_points, order);
+    permute(m_normals, order);
+    permute(m_weights, order);
+    m_feet.resize(order.size());
+    for_each_index<ConcurrencyTag>(m_feet.size(), [&](std::size_t i) {
+      const Index face = faces[order[i]];
+      m_feet[i] = in_first_face(remesh, { face, closest_on_triangle(remesh.triangle(face), m_points[i]) });
+    });
+  }
+
   void group_by_face(const std::size_t number_of_faces)
   {
     m_samples_of_faces = Index_groups(number_of_faces, m_feet.size(), [&](Index i) { return m_feet[i].patch; });

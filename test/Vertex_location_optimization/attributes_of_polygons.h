@@ -86,8 +86,8 @@ inline void test_attributes()
     CHECK_NEAR(norm(radial[h] - (hexagons.point(hexagons.target(h)) - CGAL::ORIGIN)), 0, 0.01);
 }
 
-// A reference with polygons is what its triangulation is, as exactly as the faces are planar: where they are not that of CGAL 6
-// depends on the order of the faces if these have more than four corners.
+// A reference with polygons is what its triangulation is, as exactly as the faces are planar: where they are not that of
+// CGAL 6 depends on the order of the faces if these have more than four corners.
 inline void check_triangulation(Mesh polygons, const double tolerance)
 {
   const PMP::Flat_triangle_surface<Mesh> surface(polygons);

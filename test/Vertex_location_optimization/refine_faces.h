@@ -107,7 +107,8 @@ inline void test_pulls()
   CHECK_EQUAL(number, 1u);
   CHECK_AT_MOST(norm(mesh.point(top) - sphere.point(top)), 1e-12);
 
-  // The vertex is at a distance of 4.4 from a plane behind the opposite side: the whole way and half of it lead through that.
+  // The vertex is at a distance of 4.4 from a plane behind the opposite side: the whole way and half of it lead through
+  // that.
   const Vector up = sphere.point(top) - CGAL::ORIGIN, u = CGAL::cross_product(up, Vector(1, 2, 3)),
                v = CGAL::cross_product(up, u);
   Soup plane;

@@ -117,7 +117,8 @@ Corner_map<Point_2> add_texture(Mesh& torus)
   return texture;
 }
 
-// The texture coordinates that the corners of a mesh get: right but for whole turns, and on one side of the seams in each face.
+// The texture coordinates that the corners of a mesh get: right but for whole turns, and on one side of the seams in each
+// face.
 template <typename NamedParameters>
 Corner_map<Point_2> check_corners(
   Mesh& mesh, const Surface& surface, const Corner_map<Point_2>& texture, const NamedParameters& np, double tolerance)

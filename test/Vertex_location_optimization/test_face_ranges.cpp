@@ -52,8 +52,8 @@ bool is_inner(const Mesh& mesh, const Faces& faces, Vertex v)
 
 // What is selected gets what it would get with the rest constrained, to `margin` times the largest displacement: lengths and
 // weights that are relative to means over the mesh are relative to those over the range, and so are the tolerances of the
-// samples. There are as many iterations of both, and no springs, so that nothing slides on. With least squares it is the error
-// that is compared.
+// samples. There are as many iterations of both, and no springs, so that nothing slides on. With least squares it is the
+// error that is compared.
 void check_like_constrained(const std::string& name, Mesh mesh, const Mesh& reference, const Faces& faces, double margin)
 {
   const auto is_constrained = mesh.add_property_map<Vertex, bool>("v:is_constrained", false).first;

@@ -3,9 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What the report says of the errors is what brute force measures, on remeshes, on simplified meshes, and on results that are
-// optimized again; neither direction gets worse; the volume is preserved if that is asked for; and a call that throws leaves
-// the mesh as it was.
+// What the report says of the errors is what brute force measures, on remeshes, on simplified meshes, and on results that
+// are optimized again; neither direction gets worse; the volume is preserved if that is asked for; and a call that throws
+// leaves the mesh as it was.
 
 #include "check.h"
 #include "Distance_to_mesh.h"

@@ -144,7 +144,8 @@ void test_regularity_weight()
   }
 }
 
-// The weight of a call is that of the next, and no sample is lost on the way: what creases and folded parts can gain is gained.
+// The weight of a call is that of the next, and no sample is lost on the way: what creases and folded parts can gain is
+// gained.
 void test_one_call_at_creases()
 {
   start_topic("One call reaches what an unmarked crease can gain");

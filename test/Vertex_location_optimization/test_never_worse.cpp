@@ -74,10 +74,10 @@ void test_hopeless()
   test("cube that needs nothing", reference, make_mesh(cube(1)));
 }
 
-// Meshes as remeshes of their own PN surfaces. When the needles of `handle`, which are on round parts, have moved across, the
-// distance is several times larger between the samples that the package takes than at them; so it is on a face of
-// `patch-30`, and on `knot2` it has ridges where two sheets are equally far away. A run that a visitor stops gives no worse a
-// result than a full one.
+// Meshes as remeshes of their own PN surfaces. When the needles of `handle`, which are on round parts, have moved across,
+// the distance is several times larger between the samples that the package takes than at them; so it is on a face of
+// `patch-30`, and on `knot2` it has ridges where two sheets are equally far away. A run that a visitor stops gives no worse
+// a result than a full one.
 void test_between_samples()
 {
   struct Impatient_visitor : PMP::Vertex_location_optimization_default_visitor

@@ -40,8 +40,8 @@ struct Counting_visitor : PMP::Tolerance_default_visitor
   std::vector<Report> reports;
 };
 
-// Of equilateral triangles on the unit sphere that are off it by h^2 / 8 at the vertices, h^2 / 8 is the largest distance, so
-// that a tolerance needs 4 pi sqrt(3) / 12 / tolerance vertices.
+// Of equilateral triangles on the unit sphere that are off it by h^2 / 8 at the vertices, h^2 / 8 is the largest distance,
+// so that a tolerance needs 4 pi sqrt(3) / 12 / tolerance vertices.
 void test_sphere()
 {
   start_topic("A sphere");

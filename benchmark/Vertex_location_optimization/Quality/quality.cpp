@@ -9,9 +9,9 @@
 //
 // The models are those of CGAL's data, and lucy.off and david.off of the paper, where a directory has them. Prints the
 // tables, with the figures of the paper beside; writes them to quality.csv, and the curves of the figure to
-// error_by_vertices_MODEL.csv. Then how near to the limits of piecewise linear surfaces least squares comes, by the curvatures
-// of the input. At last, what the parameter `regularity_weight` trades, and trade_off_MODEL.csv.
-// plot_curves.gp draws the curves.
+// error_by_vertices_MODEL.csv. Then how near to the limits of piecewise linear surfaces least squares comes, by the
+// curvatures of the input. At last, what the parameter `regularity_weight` trades, and trade_off_MODEL.csv. plot_curves.gp
+// draws the curves.
 //
 // Four numbers in a row are those of the remesh, of the two placement methods, and of a least squares fit as one sparse
 // linear system. The limit is the least mean error that so many vertices can have off a smooth surface: of equilateral

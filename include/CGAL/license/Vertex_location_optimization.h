@@ -10,7 +10,8 @@
 //
 // Author(s)     : The Vertex_location_optimization authors
 
-// In the form in which CGAL generates this file from Installation/include/CGAL/license/gpl_package_list.txt, where the line is
+// In the form in which CGAL generates this file from Installation/include/CGAL/license/gpl_package_list.txt, where the line
+// is
 //   Vertex_location_optimization Vertex Location Optimization
 
 // clang-format off

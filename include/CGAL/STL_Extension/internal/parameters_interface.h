@@ -12,8 +12,8 @@
 
 // CGAL's list of named parameters with those of Vertex_location_optimization, for whoever has this directory before that of
 // CGAL on the include path: they are then members of CGAL's own class and can be given in any order. The file is included
-// several times, with different macros, and has no guard. Within CGAL it is not needed: there the lines of the second file are
-// added to the first.
+// several times, with different macros, and has no guard. Within CGAL it is not needed: there the lines of the second file
+// are added to the first.
 //
 // clang-format off
 #ifdef __GNUC__

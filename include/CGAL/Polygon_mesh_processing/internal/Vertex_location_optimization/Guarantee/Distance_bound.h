@@ -47,8 +47,8 @@ public:
   const Point* begin() const { return m_corners.data(); }
   const Point* end() const { return m_corners.data() + m_corners.size(); }
 
-  // Cuts off where height(p), a linear function, is positive, and returns that. A polygon that has so many corners that there
-  // might be no room is left as it is: by rounding a plane may cross all sides of a narrow one.
+  // Cuts off where height(p), a linear function, is positive, and returns that. A polygon that has so many corners that
+  // there might be no room is left as it is: by rounding a plane may cross all sides of a narrow one.
   template <typename Height>
   Cut_triangle cut(const Height& height)
   {
@@ -88,10 +88,10 @@ private:
   boost::container::static_vector<Point, max_corners> m_corners;
 };
 
-// Bounds the distance that points of a triangle have from a remesh and its surroundings. The distance from a single face is a
-// convex function: on a polygon it is largest at a corner. So each way to cut the triangle into polygons, and to choose a face
-// for each, gives an upper bound. Here it is cut where the remesh has its edges, by the planes that bisect the angles there:
-// the bound is the largest distance, then, unless another sheet of the remesh is closer.
+// Bounds the distance that points of a triangle have from a remesh and its surroundings. The distance from a single face is
+// a convex function: on a polygon it is largest at a corner. So each way to cut the triangle into polygons, and to choose a
+// face for each, gives an upper bound. Here it is cut where the remesh has its edges, by the planes that bisect the angles
+// there: the bound is the largest distance, then, unless another sheet of the remesh is closer.
 class Distance_bound
 {
 public:
@@ -137,7 +137,8 @@ public:
     }
   }
 
-  // The corner opposite to the same edge on its other side; that of a diagonal, too, if its polygon has no other triangles there.
+  // The corner opposite to the same edge on its other side; that of a diagonal, too, if its polygon has no other triangles
+  // there.
   Index corner_across(const Index corner) const
   {
     const Index e = m_remesh.opposite_edge(corner);

@@ -38,8 +38,8 @@ struct Far_point
   double distance = 0;
 };
 
-// Finds the point of a patch that is farthest from a remesh, or one that is farther away than a limit, by branch and bound: a
-// patch is cut into four pieces, recursively, until `Distance_bound` proves that nothing is farther away.
+// Finds the point of a patch that is farthest from a remesh, or one that is farther away than a limit, by branch and bound:
+// a patch is cut into four pieces, recursively, until `Distance_bound` proves that nothing is farther away.
 template <typename Reference>
 class Farthest_of_patch
 {
@@ -63,8 +63,8 @@ public:
     std::size_t number_of_pieces;
   };
 
-  // Looks for a distance above `limit`, the largest one or any; appends the faces that the bound depends on. `hint` is a face
-  // nearby.
+  // Looks for a distance above `limit`, the largest one or any; appends the faces that the bound depends on. `hint` is a
+  // face nearby.
   Result operator()(const Index patch,
                     const Index hint,
                     const double limit,

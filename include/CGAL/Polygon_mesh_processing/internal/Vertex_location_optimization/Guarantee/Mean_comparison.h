@@ -94,8 +94,8 @@ private:
     return sum_over_indices<ConcurrencyTag, T>(m_remesh.number_of_faces(), f);
   }
 
-  // How the integral over face f has grown, less that of the mean over what its area has grown by: the mean has fallen if the
-  // sum of these is negative.
+  // How the integral over face f has grown, less that of the mean over what its area has grown by: the mean has fallen if
+  // the sum of these is negative.
   double change(std::size_t f) const
   {
     if(!m_moves.has_moved(f))

@@ -96,8 +96,8 @@ public:
     return result;
   }
 
-  // The moved vertices at which values of the faces, shared by the moved vertices of each, have a positive sum. While the sum
-  // over all faces that have moved is positive there is one.
+  // The moved vertices at which values of the faces, shared by the moved vertices of each, have a positive sum. While the
+  // sum over all faces that have moved is positive there is one.
   Indices vertices_with_positive_sum(const std::vector<double>& of_faces) const
   {
     std::vector<double> sums(m_number_of_halvings.size(), 0);

@@ -71,8 +71,8 @@ Piece_of_patch whole_patch(const Reference& reference, const Index patch)
 // How far a piece of a patch is from the flat triangle at most.
 inline double sag(const Reference_patches<Flat_triangle>&, Index, const Piece_of_patch&) { return 0; }
 
-// A cubic patch: the control points, whose offsets from their places on the flat triangle bound the offset of the patch, follow
-// from its points at the thirds of the sides and in the center.
+// A cubic patch: the control points, whose offsets from their places on the flat triangle bound the offset of the patch,
+// follow from its points at the thirds of the sides and in the center.
 template <typename Reference>
 double sag(const Reference& reference, const Index patch, const Piece_of_patch& piece)
 {

@@ -218,8 +218,8 @@ private:
                                     bound, is_any_enough);
   }
 
-  // Whether the largest distance on face f may be larger than `limit`, given its samples: not if all points are too close to a
-  // corner or a midpoint of a side.
+  // Whether the largest distance on face f may be larger than `limit`, given its samples: not if all points are too close to
+  // a corner or a midpoint of a side.
   bool may_exceed(std::size_t f, double limit) const
   {
     // relative to the limit; below it, no larger distance is expected between the samples

@@ -23,7 +23,8 @@
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
-// A face violates it if it flips, collapses or gets a sharper fold. `Distances` has the normals of the reference under a face.
+// A face violates it if it flips, collapses or gets a sharper fold. `Distances` has the normals of the reference under a
+// face.
 template <typename Distances>
 class Shape_criterion
 {

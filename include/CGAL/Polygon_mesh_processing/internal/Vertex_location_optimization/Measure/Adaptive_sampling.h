@@ -26,8 +26,8 @@
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
-// Samples the faces of a mesh coarsely first, and then more finely where the mean of the distance is least certain, until its
-// standard error is small enough. Faces go by blocks; neighbors follow each other.
+// Samples the faces of a mesh coarsely first, and then more finely where the mean of the distance is least certain, until
+// its standard error is small enough. Faces go by blocks; neighbors follow each other.
 template <typename ConcurrencyTag, typename MeasureFace>
 class Adaptive_sampling
 {

@@ -55,8 +55,8 @@ inline Vector pull_to_regular(const Point& v, const Point& p, const Point& q, co
          (angle_part * square(length) / sum_of_weights) * gradient;
 }
 
-// The same for v and its neighbors p and q in a polygon of more than three corners, whose fans give the ear v, p, q the weight
-// 2 / n: the way to the apex of the ear of a regular polygon, on the outer side of pq as seen along the normal.
+// The same for v and its neighbors p and q in a polygon of more than three corners, whose fans give the ear v, p, q the
+// weight 2 / n: the way to the apex of the ear of a regular polygon, on the outer side of pq as seen along the normal.
 inline Vector
 pull_to_regular_polygon(const Point& v, const Point& p, const Point& q, const Vector& normal, const double weight_of_ear)
 {

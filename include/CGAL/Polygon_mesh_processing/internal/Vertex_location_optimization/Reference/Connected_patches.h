@@ -30,8 +30,8 @@
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
-// Surface patches on the faces of a mesh, and closest points of them: by searching in their tree, or by walking from patch to
-// patch. Besides what `Patch_tree` asks of a patch they have
+// Surface patches on the faces of a mesh, and closest points of them: by searching in their tree, or by walking from patch
+// to patch. Besides what `Patch_tree` asks of a patch they have
 //   - normal(x), a unit vector, or the null vector where the patch has none;
 //   - area(), an approximation;
 //   - flat_coordinates(q), those of the projection to the plane of the corners, which may be beyond the sides;
@@ -93,8 +93,8 @@ public:
     return in_first_patch(foot);
   }
 
-  // Like `project_locally()`, but the walk crosses the side k of a patch only if can_cross(patch, k). At such sides it goes on
-  // in any patch around the foot.
+  // Like `project_locally()`, but the walk crosses the side k of a patch only if can_cross(patch, k). At such sides it goes
+  // on in any patch around the foot.
   template <typename CanCross>
   Foot project_locally(const Point& query, const Foot& hint, const CanCross& can_cross) const
   {

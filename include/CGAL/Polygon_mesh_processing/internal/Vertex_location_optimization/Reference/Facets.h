@@ -35,8 +35,8 @@ struct Facets
   std::vector<char> is_inside; // of the edges
 };
 
-// Joins faces across the edges e for which is_joined(e) holds: sets for each face the one that stands for all that it has been
-// joined with, and returns the faces that have been joined, in increasing order.
+// Joins faces across the edges e for which is_joined(e) holds: sets for each face the one that stands for all that it has
+// been joined with, and returns the faces that have been joined, in increasing order.
 template <typename IsJoined>
 std::vector<Index> join_faces(const Mesh_arrays& mesh, const IsJoined& is_joined, std::vector<Index>& representatives)
 {

@@ -124,7 +124,8 @@ public:
   Feature_curves() = default;
 
   // `is_feature(e)` tells the features among the edges of `mesh`, `piece(e)` is the curve over edge e from edges[e][0] to
-  // edges[e][1]. CGAL's split_graph_into_polylines() loses one of two edges between the same vertices, and makes it no shorter.
+  // edges[e][1]. CGAL's split_graph_into_polylines() loses one of two edges between the same vertices, and makes it no
+  // shorter.
   template <typename IsFeature, typename Piece>
   Feature_curves(const Mesh_arrays& mesh, const IsFeature& is_feature, const Piece& piece)
   {

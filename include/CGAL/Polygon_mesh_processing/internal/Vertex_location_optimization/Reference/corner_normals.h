@@ -65,7 +65,8 @@ std::vector<char> detect_creases(const Mesh_arrays& mesh, const std::vector<Vect
   return is_crease;
 }
 
-// The corners around a vertex, in sectors that creases and borders end. All corners of a polygon at a vertex are in the same.
+// The corners around a vertex, in sectors that creases and borders end. All corners of a polygon at a vertex are in the
+// same.
 class Sectors
 {
 public:

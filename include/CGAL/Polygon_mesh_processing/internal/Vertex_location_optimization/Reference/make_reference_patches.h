@@ -164,9 +164,9 @@ inline bool is_recognizably_smooth(const Mesh_arrays& mesh, const std::vector<ch
   return length_of_creases <= largest_part * length;
 }
 
-// The reference surface of `tmesh`, whose faces are the patches, or triangles of them; an empty one if `tmesh` is unsuitable.
-// If `flat_unless_smooth`, the patches of a mesh that is not recognizably smooth are flat. Describes the patches if
-// `patch_descriptors` is not null.
+// The reference surface of `tmesh`, whose faces are the patches, or triangles of them; an empty one if `tmesh` is
+// unsuitable. If `flat_unless_smooth`, the patches of a mesh that is not recognizably smooth are flat. Describes the patches
+// if `patch_descriptors` is not null.
 template <typename Patch, typename ConcurrencyTag, typename TriangleMesh, typename NamedParameters>
 Reference_patches<Patch> make_reference_patches(const TriangleMesh& tmesh,
                                                 const NamedParameters& np,

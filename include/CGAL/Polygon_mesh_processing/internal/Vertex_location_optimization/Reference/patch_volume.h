@@ -22,8 +22,8 @@
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
-// The signed volume of the cone from `apex` over a patch. The patch is replaced by triangles on finer and finer lattices, with
-// n pieces on a side; the error is a polynomial in 1 / n^2, as the patch is polynomial, and is extrapolated to 0.
+// The signed volume of the cone from `apex` over a patch. The patch is replaced by triangles on finer and finer lattices,
+// with n pieces on a side; the error is a polynomial in 1 / n^2, as the patch is polynomial, and is extrapolated to 0.
 template <typename Patch>
 double volume_of_cone(const Patch& patch, const Point& apex)
 {

@@ -33,8 +33,8 @@ struct Average_normal
   double largest_area;
 };
 
-// The weight of a facet in the average, beside its angle: 1, but for one that is much smaller than the largest. A large facet
-// beside small ones is likely a plane that a rounding or fillet runs into; its normal is that of the surface there.
+// The weight of a facet in the average, beside its angle: 1, but for one that is much smaller than the largest. A large
+// facet beside small ones is likely a plane that a rounding or fillet runs into; its normal is that of the surface there.
 inline double facet_weight(const double area, const double largest_area)
 {
   constexpr double small = 0.5; // less than the areas of irregular triangles differ; from there on the weights fall quickly

@@ -43,8 +43,8 @@ private:
   Reference_patches<PN_triangle> m_patches;
 };
 
-// Returns f(surface), where `surface` is `reference` itself if it is a model of `ReferenceSurface`, else the default reference
-// surface of the mesh `reference`.
+// Returns f(surface), where `surface` is `reference` itself if it is a model of `ReferenceSurface`, else the default
+// reference surface of the mesh `reference`.
 template <typename ConcurrencyTag, typename Reference, typename NamedParameters, typename F>
 auto with_reference_surface(const Reference& reference, const NamedParameters& np, const F& f)
 {

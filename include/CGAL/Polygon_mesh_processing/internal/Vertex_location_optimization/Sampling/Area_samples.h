@@ -61,8 +61,8 @@ walk_to_closest_point(const Remesh& remesh, const std::vector<Point>& points, co
   }
 }
 
-// The same point of the mesh, in the first of the faces that it is on the boundary of: rounding chooses among them. The fans of
-// polygons overlap, so that there is no such order.
+// The same point of the mesh, in the first of the faces that it is on the boundary of: rounding chooses among them. The fans
+// of polygons overlap, so that there is no such order.
 inline Patch_foot in_first_face(const Remesh& remesh, const Patch_foot& foot)
 {
   if(remesh.has_polygons())
@@ -131,8 +131,8 @@ void take_area_samples(
   reference.for_each_area_sample(n, number_of_faces, hint, area, f);
 }
 
-// Calls f(i, foot) for each of n points, with the closest point of the faces in `tree`. Neighbors among the points follow each
-// other: the face of one is a hint for the next.
+// Calls f(i, foot) for each of n points, with the closest point of the faces in `tree`. Neighbors among the points follow
+// each other: the face of one is a hint for the next.
 template <typename ConcurrencyTag, typename PointAt, typename F>
 void project_to_faces(const Patch_tree<Flat_triangle>& tree, const std::size_t n, const PointAt& point, const F& f)
 {

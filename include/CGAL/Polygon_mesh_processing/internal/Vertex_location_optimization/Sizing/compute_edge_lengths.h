@@ -145,8 +145,8 @@ inline double norm_of_gradient(const std::array<Point, 3>& triangle, const std::
   return square > 0 ? norm(gradient) / square : 0;
 }
 
-// The same with edge lengths at the vertices. Of the two at the ends of an edge the shorter one counts, which in the mean over
-// all directions is shorter than the length in the middle by the edge times the gradient over pi.
+// The same with edge lengths at the vertices. Of the two at the ends of an edge the shorter one counts, which in the mean
+// over all directions is shorter than the length in the middle by the edge times the gradient over pi.
 inline double estimate_number_of_vertices(const Mesh_arrays& mesh, const std::vector<double>& lengths)
 {
   double number = 0;

@@ -19,8 +19,8 @@
 
 #include <type_traits>
 
-// Where this package's parameters_interface.h takes the place of CGAL's, as it would within CGAL, the named parameters of this
-// package are members of `Named_function_parameters` like all others, and nothing is left to do here.
+// Where this package's parameters_interface.h takes the place of CGAL's, as it would within CGAL, the named parameters of
+// this package are members of `Named_function_parameters` like all others, and nothing is left to do here.
 #ifdef CGAL_VERTEX_LOCATION_EXTENDS_NAMED_PARAMETERS
 
 namespace CGAL::Polygon_mesh_processing::internal {

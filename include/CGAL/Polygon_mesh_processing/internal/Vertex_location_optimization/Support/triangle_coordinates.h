@@ -103,8 +103,8 @@ private:
 
 inline Coordinates project_to_plane(const std::array<Point, 3>& t, const Point& x) { return Triangle_plane(t).project(x); }
 
-// Coordinates of the point of the triangle that is closest to x, which has a known projection to its plane; any triangle, also
-// one without an area.
+// Coordinates of the point of the triangle that is closest to x, which has a known projection to its plane; any triangle,
+// also one without an area.
 inline Coordinates closest_on_triangle(const std::array<Point, 3>& t, const Point& x, const Coordinates& projection)
 {
   const auto [w, u, v] = projection.barycentric();

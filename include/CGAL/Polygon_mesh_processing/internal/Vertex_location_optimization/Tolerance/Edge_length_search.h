@@ -151,8 +151,8 @@ private:
     return beyond.edge_length / limited(factor);
   }
 
-  // At least the precision, and twice as much in logarithms with each attempt on the same side: errors that do not follow the
-  // exponent do not hold up the search.
+  // At least the precision, and twice as much in logarithms with each attempt on the same side: errors that do not follow
+  // the exponent do not hold up the search.
   double limited(double factor) const
   {
     if(is_unresponsive(2))

@@ -34,8 +34,8 @@ inline double tolerated_value(const Tolerance_report& report, Tolerated_error ki
   return (std::max)(tolerated_value(report.to_reference, kind), tolerated_value(report.from_reference, kind));
 }
 
-// What the remesher has to keep, in the order in which the input, or a copy of it, has its edges and vertices: the constrained
-// edges, and their corners and those of the border, where the curve does not pass straight through a vertex.
+// What the remesher has to keep, in the order in which the input, or a copy of it, has its edges and vertices: the
+// constrained edges, and their corners and those of the border, where the curve does not pass straight through a vertex.
 struct Kept_elements
 {
   std::vector<char> edges;

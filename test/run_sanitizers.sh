@@ -2,7 +2,7 @@
 # Builds and runs the tests under sanitizers:  bash test/run_sanitizers.sh [TEST...]
 #
 # All of them, or those that are named, with AddressSanitizer and UndefinedBehaviorSanitizer; those that run in parallel
-# with ThreadSanitizer, and with sanitizers/tbb/parallel_for.h instead of TBB's. CGAL's checks are on. It takes several
+# with ThreadSanitizer, and with the headers of sanitizers/tbb instead of TBB's. CGAL's checks are on. It takes several
 # times as long as test/run.sh.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=../cmake/setup.sh

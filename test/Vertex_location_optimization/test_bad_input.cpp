@@ -217,8 +217,8 @@ void test_attributes_refused()
   check_attributes_refused(without_point, reference, values, labels);
 
   // values to be written to a map of another mesh, and values that are not finite
-  const Vertex_values of_small = small.property_map<Vertex, double>("v:value").first;
-  const Face_values labels_of_small = small.property_map<Mesh::Face_index, int>("f:label").first;
+  const Vertex_values of_small = add_values(small);
+  const Face_values labels_of_small = add_labels(small);
   check_violation([&] { PMP::optimize_vertex_attributes(mesh, reference, values, of_small); });
   check_violation([&] { PMP::transfer_face_attributes(mesh, reference, labels, labels_of_small); });
   check_violation([&] { PMP::attribute_error(mesh, reference, values, of_small); });

@@ -115,7 +115,8 @@ std::size_t isotropic_alone(const Model& model, double tolerance, double edge_le
   std::size_t number = 0;
   const auto is_within = [&](double length) {
     Mesh mesh = model.input;
-    auto is_crease = mesh.property_map<Mesh::Edge_index, bool>("e:is_crease").first;
+    // the one that is there: what `property_map()` returns depends on the version of CGAL
+    auto is_crease = mesh.add_property_map<Mesh::Edge_index, bool>("e:is_crease").first;
     PMP::isotropic_remeshing(
       faces(mesh), length, mesh,
       params::number_of_iterations(10).number_of_relaxation_steps(3).edge_is_constrained_map(is_crease));

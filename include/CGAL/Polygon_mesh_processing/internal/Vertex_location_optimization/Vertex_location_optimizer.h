@@ -180,7 +180,7 @@ private:
   Iteration iteration() const
   {
     const std::size_t number = m_report.iterations;
-    return { number < m_options.number_of_free_iterations, number == m_options.number_of_free_iterations,
+    return { number, number < m_options.number_of_free_iterations, number == m_options.number_of_free_iterations,
              m_has_settled || number + 1 == m_options.number_of_iterations };
   }
 

@@ -91,8 +91,7 @@ public:
     else
       m_samples.template update<ConcurrencyTag>(m_reference, m_remesh, tolerance());
 
-    ++m_number_of_resamplings;
-    if(are_area_samples_due() && !iteration.is_last) // at the end they tell whether the vertices have settled
+    if(are_area_samples_due(iteration))
       take_area_samples_anew();
     else
       m_area_samples.template update<ConcurrencyTag>(m_remesh, iteration.is_last ? all : tolerance().travel);
@@ -151,11 +150,12 @@ public:
   }
 
 private:
-  bool are_area_samples_due() const
+  // At the end, the same samples tell whether the vertices have settled. Polygons, each of which is many overlapping
+  // triangles, do not settle as well if their samples change.
+  bool are_area_samples_due(const Iteration& iteration) const
   {
-    constexpr int period = 3, last = 15; // iterations; they trade time for the error, by 1% on remeshes and 4% at creases
-    // polygons, each of which is many overlapping triangles, do not settle as well if their samples change
-    return !m_remesh.has_polygons() && m_number_of_resamplings % period == 0 && m_number_of_resamplings <= last;
+    constexpr std::size_t period = 3, last = 15; // iterations; they trade time for 1 to 2% of the error
+    return !iteration.is_last && !m_remesh.has_polygons() && iteration.number % period == 0 && iteration.number <= last;
   }
 
   void take_area_samples_anew()
@@ -266,7 +266,6 @@ private:
 
   static constexpr double default_weight = 0.19;
   Area_samples m_area_samples; // of the reference
-  int m_number_of_resamplings = 0;
   const std::optional<double> m_convergence_threshold;
   const double m_regularity_weight;
   const bool m_keeps_shapes;               // of M_0, where they are irregular: unless the user has chosen the weight

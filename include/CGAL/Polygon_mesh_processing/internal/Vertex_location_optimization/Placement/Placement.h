@@ -45,6 +45,7 @@ struct Optimization_options
 // The state of a run.
 struct Iteration
 {
+  std::size_t number;          // 0: the first one
   bool is_free;                // the vertices move freely, not only along the normals
   bool is_first_along_normals; // the first one that is not free
   bool is_last;                // its samples are exact

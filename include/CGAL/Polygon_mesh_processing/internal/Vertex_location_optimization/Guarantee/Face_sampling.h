@@ -108,6 +108,7 @@ public:
 
   double number_of_samples(std::size_t f) const { return square(double(m_sides[f])); }
 
+private:
   // Whether the reference bends so little under a face that walking will do: across a crease it may end too early.
   template <typename Reference>
   static bool is_smooth(const Reference& reference, const Face_feet<typename Reference::Foot>& feet)
@@ -119,7 +120,6 @@ public:
            std::all_of(feet.of_midpoints.begin(), feet.of_midpoints.end(), is_close);
   }
 
-private:
   template <typename F>
   void for_each_point(const std::size_t face, const F& f) const
   {

@@ -50,64 +50,28 @@ private:
   Vector m_normal;
 };
 
-// The largest distance of a triangle, given its corners, from the closest one of three planes: if the reference coincides
-// with this plane below the triangle, no point can be farther away.
-template <typename Plane>
-double distance_to_planes(const std::array<Point, 3>& corners, const std::array<Plane, 3>& planes)
-{
-  const auto from_plane = [&](const Plane& plane) {
-    return (std::max)({ plane.distance(corners[0]), plane.distance(corners[1]), plane.distance(corners[2]) });
-  };
-  return (std::min)({ from_plane(planes[0]), from_plane(planes[1]), from_plane(planes[2]) });
-}
-
-// The same for a triangle with feet in its corners and at the midpoints of the sides opposite to them, for each of the four
-// triangles between these: the largest distance.
-template <typename Reference>
-double distance_to_planes_of_quarters(const Reference& reference,
-                                      const std::array<Point, 3>& corners,
-                                      const Face_feet<typename Reference::Foot>& feet)
-{
-  using Plane = Tangent_plane<Reference>;
-  const auto planes_at = [&](const auto& f) {
-    return std::array<Plane, 3>{ { Plane(reference, f[0]), Plane(reference, f[1]), Plane(reference, f[2]) } };
-  };
-  const std::array<Point, 3> midpoints{ { midpoint(corners[1], corners[2]), midpoint(corners[2], corners[0]),
-                                          midpoint(corners[0], corners[1]) } };
-  const std::array<Plane, 3> planes = planes_at(feet.of_corners), midpoint_planes = planes_at(feet.of_midpoints);
-  double largest = distance_to_planes(midpoints, midpoint_planes);
-  for(int k = 0; k < 3; ++k)
-  {
-    std::array<Point, 3> t = midpoints;
-    std::array<Plane, 3> p = midpoint_planes;
-    t[k] = corners[k];
-    p[k] = planes[k];
-    largest = (std::max)(largest, distance_to_planes(t, p));
-  }
-  return largest;
-}
-
 // Finds the point of a triangle that is farthest from the reference, by branch and bound: the triangle is cut into parts,
-// first where it may be farthest away, until none can have a distance above the largest one known. The distance inside a
-// part is bounded by that at its corners and, where it is smooth, by its slopes, measured in the part and in the one that it
-// was cut from; where the reference has an edge, by its tangent planes at the closest points. No slope exceeds one; for a
-// triangle not much larger than the distance itself, only this bound is used.
+// first where it may be farthest away, until none can have a distance above the largest one known. No point of a part is
+// farther away than the corner next to it by more than what lies between these two. Usually much less is added: if the
+// reference was the plane that touches it at the point closest to a corner, the largest distance would be at a corner, and
+// what the distances at the other corners differ by from those to this plane tells how the reference bends. For a triangle
+// not much larger than the distance itself, only the first bound is used.
 template <typename Reference>
 class Farthest_point
 {
   using Foot = typename Reference::Foot;
-  using Plane = Tangent_plane<Reference>;
   using Triangle = std::array<Point, 3>;
 
 public:
   explicit Farthest_point(const Reference& reference) : m_reference(reference) {}
 
-  // The largest distance of a triangle if that is larger than `bound`; otherwise `bound`. `hint` is the foot of a point
-  // nearby. With `is_any_enough` it is not the largest distance, but one that is larger than `bound`.
-  double operator()(const Triangle& t, const Foot& hint, const double bound, const bool is_any_enough = false) const
+  // The largest distance of a triangle if that is larger than `bound`; otherwise `bound`. `hints` are feet of
+  // points near its corners. With `is_any_enough` it is not the largest distance, but one that is larger than `bound`.
+  double
+  operator()(const Triangle& t, const std::array<Foot, 3>& hints, const double bound, const bool is_any_enough = false) const
   {
     const double size = radius(t);
-    const int min_level = level_of_reference(t, hint);
+    const int min_level = level_of_reference(t, hints[0]);
     constexpr double near = 0; // the corners are searched for
     double largest = bound;
     Samples samples;
@@ -120,15 +84,18 @@ public:
         largest = (std::max)(largest, samples[corner].distance);
       if(part.level == max_level)
         return;
-      part.bound = part.level < min_level ? std::numeric_limits<double>::infinity() : upper_bound(samples, part, size);
+      const bool is_certain = part.level < certain_level && size < large * largest;
+      part.bound =
+        part.level < min_level ? std::numeric_limits<double>::infinity() : upper_bound(samples, part, size, is_certain);
       if(!may_be_larger(part))
         return;
       parts.push_back(part);
       std::push_heap(parts.begin(), parts.end());
     };
-    for(const Coordinates& corner : { Coordinates{ 0, 0 }, Coordinates{ 1, 0 }, Coordinates{ 0, 1 } })
-      samples.push_back(sample(t, corner, hint, near));
-    add({ { { 0, 1, 2 } }, 1, 0 });
+    samples.push_back(sample(t, { 0, 0 }, hints[0], near));
+    samples.push_back(sample(t, { 1, 0 }, hints[1], near));
+    samples.push_back(sample(t, { 0, 1 }, hints[2], near));
+    add({ { { 0, 1, 2 } }, 0 });
     for(int cuts = 0; !parts.empty() && cuts < max_cuts && !(is_any_enough && largest > bound); ++cuts)
     {
       if(!may_be_larger(parts.front()))
@@ -143,21 +110,20 @@ public:
   }
 
 private:
-  static constexpr double large = 8;         // the size, relative to the largest distance, above which slopes are trusted
-  static constexpr int certain_level = 3;    // below it, slopes are not trusted if this takes few cuts
-  static constexpr double safety = 2;        // of the slopes; it trades time for what may be missed between the corners
-  static constexpr double margin = 1.5;      // of the distance to a plane, from which the reference bends away
-  static constexpr double rounding = 1e-9;   // relative to the size of the triangle; below it the slopes are noise
+  static constexpr double large = 8;         // the size, relative to the largest distance, above which planes are trusted
+  static constexpr int certain_level = 3;    // below it, planes are not trusted if this takes few cuts
+  static constexpr double safety = 3;        // of what the reference bends by; it trades time for what may be missed
+  static constexpr double rounding = 1e-9;   // relative to the size of the triangle; below it distances are noise
   static constexpr double tolerance = 0.002; // of the result; it saves the last few parts
   static constexpr int max_level = 10;       // a part of that level is 1/1024 as long as the triangle
-  static constexpr int max_cuts = 256; // it bounds the time where slopes are of little use, as between overlapping sheets
+  static constexpr int max_cuts = 256;       // it bounds the time between overlapping sheets
 
   struct Sample
   {
     Coordinates coordinates; // in the triangle
     Point point;
     Foot foot;
-    Plane plane; // that touches the reference there
+    Tangent_plane<Reference> plane; // that touches the reference there
     double distance;
   };
 
@@ -168,7 +134,6 @@ private:
     bool operator<(const Part& other) const { return bound < other.bound; }
 
     std::array<int, 3> corners; // among the samples
-    double slope;               // that the distance may have in it
     int level;                  // how often it was cut
     double bound = 0;           // of the distance in it
   };
@@ -187,27 +152,31 @@ private:
   }
 
   // how far the points of a triangle are from its nearest corner at most, roughly: exactly if it is equilateral
-  static double radius(const Triangle& t)
-  {
-    return std::sqrt(
-      (std::max)({ squared_distance(t[0], t[1]), squared_distance(t[1], t[2]), squared_distance(t[2], t[0]) }) / 3);
-  }
+  static double radius(const Triangle& t) { return std::sqrt(squared_longest_side(t) / 3); }
 
-  static double upper_bound(const Samples& samples, const Part& part, const double size)
+  // of the distance in a part; `size` is the radius of the triangle
+  static double upper_bound(const Samples& samples, const Part& part, const double size, const bool is_certain)
   {
-    const Sample &a = samples[part.corners[0]], &b = samples[part.corners[1]], &c = samples[part.corners[2]];
-    const double largest = (std::max)({ a.distance, b.distance, c.distance });
+    const std::array<const Sample*, 3> corners{ { &samples[part.corners[0]], &samples[part.corners[1]],
+                                                  &samples[part.corners[2]] } };
+    double largest = 0, bend = std::numeric_limits<double>::infinity();
+    for(const Sample* a : corners)
+    {
+      double from_plane = 0;
+      for(const Sample* b : corners)
+        from_plane = (std::max)(from_plane, std::abs(b->distance - a->plane.distance(b->point)));
+      bend = (std::min)(bend, from_plane);
+      largest = (std::max)(largest, a->distance);
+    }
     const double radius = std::ldexp(size, -part.level);
-    const double to_plane = distance_to_planes(std::array<Point, 3>{ { a.point, b.point, c.point } },
-                                               std::array<Plane, 3>{ { a.plane, b.plane, c.plane } });
-    return (std::min)(largest + radius, (std::max)(largest + part.slope * radius, margin * to_plane));
+    return largest + (is_certain ? radius : (std::min)(radius, safety * bend));
   }
 
   Sample sample(const Triangle& t, const Coordinates& x, const Foot& hint, const double near) const
   {
     const Point p = point_at(t, x);
     const Foot foot = walk_or_search(m_reference, p, hint, near);
-    return { x, p, foot, Plane(m_reference, foot), distance_to_foot(p, m_reference, foot) };
+    return { x, p, foot, Tangent_plane<Reference>(m_reference, foot), distance_to_foot(p, m_reference, foot) };
   }
 
   // The four triangles between the corners of a part and the midpoints of its sides, which are sampled. Distances above
@@ -228,38 +197,11 @@ private:
       if(known == samples.end())
         samples.push_back(sample(t, middle, a.foot, near));
     }
-    std::array<Part, 4> children{ { { { { c[0], m[2], m[1] } }, 0, 0 },
-                                    { { { m[2], c[1], m[0] } }, 0, 0 },
-                                    { { { m[1], m[0], c[2] } }, 0, 0 },
-                                    { { { m[0], m[1], m[2] } }, 0, 0 } } };
-    double steepest = 0;
-    for(Part& child : children)
-    {
-      child.level = part.level + 1;
-      child.slope = safety * slope(samples, child);
-      steepest = (std::max)(steepest, child.slope);
-    }
-    // where the distance is smooth its slopes change by half as much over half the length
-    double inherited = part.level == 0 ? steepest : part.slope / 2;
-    if(radius(t) < large * largest && part.level < certain_level)
-      inherited = 1; // no slope is larger; certainty takes few cuts here
-    for(Part& child : children)
-      child.slope = std::clamp(child.slope, (std::min)(inherited, 1.), 1.);
-    return children;
-  }
-
-  // the largest slope along the sides of a part
-  static double slope(const Samples& samples, const Part& part)
-  {
-    double result = 0;
-    for(int k = 0; k < 3; ++k)
-    {
-      const Sample &a = samples[part.corners[k]], &b = samples[part.corners[(k + 1) % 3]];
-      const double length = std::sqrt(squared_distance(a.point, b.point));
-      if(length > 0)
-        result = (std::max)(result, std::abs(a.distance - b.distance) / length);
-    }
-    return result;
+    const int level = part.level + 1;
+    return { { { { { c[0], m[2], m[1] } }, level },
+               { { { m[2], c[1], m[0] } }, level },
+               { { { m[1], m[0], c[2] } }, level },
+               { { { m[0], m[1], m[2] } }, level } } };
   }
 
   const Reference& m_reference;

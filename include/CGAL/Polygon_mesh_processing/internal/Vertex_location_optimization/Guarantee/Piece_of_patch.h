@@ -34,11 +34,7 @@ struct Piece_of_patch
 
   Point center() const { return centroid(corners[0], corners[1], corners[2]); }
 
-  double length() const
-  {
-    return std::sqrt((std::max)({ squared_distance(corners[0], corners[1]), squared_distance(corners[1], corners[2]),
-                                  squared_distance(corners[2], corners[0]) }));
-  }
+  double length() const { return std::sqrt(squared_longest_side(corners)); }
 
   double radius() const // around the center
   {

@@ -191,9 +191,11 @@ public:
   // Whether the largest distance on face f is larger than `limit` and than with the initial points.
   bool exceeds(std::size_t f, double limit)
   {
-    if(!may_exceed(f, limit))
-      return false;
     const double sampled = sampled_maximum(f);
+    // no point is farther away from all corners and midpoints
+    const double radius = std::sqrt(squared_longest_side(m_remesh.triangle(f, m_remesh.next_points)) / 12);
+    if(sampled + radius <= limit)
+      return false;
     if(!(largest_on_face(f, m_remesh.next_points, sampled, limit, true) > limit))
       return false;
     float& initial = m_initial_maxima[f];
@@ -216,24 +218,6 @@ private:
   {
     return largest_distance_on_face(m_reference, m_sampling, f, m_remesh.triangle(f, points), feet(f), sampled_maximum,
                                     bound, is_any_enough);
-  }
-
-  // Whether the largest distance on face f may be larger than `limit`, given its samples: not if all points are too close to
-  // a corner or a midpoint of a side.
-  bool may_exceed(std::size_t f, double limit) const
-  {
-    // relative to the limit; below it, no larger distance is expected between the samples
-    constexpr double small_if_smooth = 0.6, small_at_edges = 0.05;
-    const double sampled = sampled_maximum(f);
-    const std::array<Point, 3> t = m_remesh.triangle(f, m_remesh.next_points);
-    const double longest2 =
-      (std::max)({ squared_distance(t[0], t[1]), squared_distance(t[1], t[2]), squared_distance(t[2], t[0]) });
-    const double radius = std::sqrt(longest2 / 12); // no point is farther away from all corners and midpoints
-    if(sampled + radius <= limit)
-      return false;
-    const Face_feet<Foot> of_face = feet(f);
-    const double small = Face_sampling::is_smooth(m_reference, of_face) ? small_if_smooth : small_at_edges;
-    return sampled > small * limit || distance_to_planes_of_quarters(m_reference, t, of_face) > small_if_smooth * limit;
   }
 
   Face_feet<Foot> feet(std::size_t f) const { return feet_of_face<Foot>(m_remesh, f, m_vertices, m_midpoints); }

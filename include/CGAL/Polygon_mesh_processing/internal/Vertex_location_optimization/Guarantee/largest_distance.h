@@ -42,7 +42,7 @@ double largest_distance_on_face(const Reference& reference,
                                 const double bound,
                                 const bool is_any_enough = false)
 {
-  const double found = Farthest_point<Reference>(reference)(t, feet.of_corners[0], bound, is_any_enough);
+  const double found = Farthest_point<Reference>(reference)(t, feet.of_corners, bound, is_any_enough);
   if(sampled_maximum <= found)
     return found;
   constexpr bool is_exact = true;

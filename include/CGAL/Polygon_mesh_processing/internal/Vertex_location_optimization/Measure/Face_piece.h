@@ -87,16 +87,11 @@ struct Face_piece
     const std::array<double, 3> lambda = x.barycentric();
     const auto farthest = std::min_element(lambda.begin(), lambda.end()) - lambda.begin();
     const auto nearest = std::max_element(lambda.begin(), lambda.end()) - lambda.begin();
-    return { point_at({ corners[0].point, corners[1].point, corners[2].point }, x),
+    return { point_at(triangle(), x),
              m_has_midpoints ? midpoints[farthest] : corners[nearest] };
   }
 
-  double squared_longest_side() const
-  {
-    return (std::max)({ squared_distance(corners[0].point, corners[1].point),
-                        squared_distance(corners[1].point, corners[2].point),
-                        squared_distance(corners[2].point, corners[0].point) });
-  }
+  std::array<Point, 3> triangle() const { return { corners[0].point, corners[1].point, corners[2].point }; }
 
   // The area of the details of the distance here: that of the patches of the reference, whose effect blurs with the
   // distance.
@@ -132,7 +127,7 @@ struct Face_piece
   double largest_rise() const
   {
     constexpr double farthest_from_corners = 0.5773502691896258; // in a triangle, relative to its longest side
-    return farthest_from_corners * (m_has_midpoints ? 0.5 : 1) * std::sqrt(squared_longest_side());
+    return farthest_from_corners * (m_has_midpoints ? 0.5 : 1) * std::sqrt(squared_longest_side(triangle()));
   }
 
   // Probably no larger than this: the slope of the distance is the sine of the angle between the direction to the closest
@@ -171,7 +166,7 @@ struct Face_piece
     const std::array<double, 3> at_corners = all(corners, with_sign),
                                 at_midpoints = m_has_midpoints ? all(midpoints, with_sign) : halfway(at_corners);
     // a distance changes no faster than the point
-    if(least < 0 && largest > 0 && (is_ambiguous || square(largest - least) > squared_longest_side()))
+    if(least < 0 && largest > 0 && (is_ambiguous || square(largest - least) > squared_longest_side(triangle())))
     {
       const auto without_sign = [](const Sample& s) { return s.distance; };
       const std::array<double, 3> c = all(corners, without_sign);

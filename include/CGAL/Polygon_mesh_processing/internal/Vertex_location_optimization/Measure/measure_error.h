@@ -101,10 +101,7 @@ private:
       face.mean = sum / count;
       face.mean_square = sum_of_squares / count;
       face.sampled_maximum = face.max;
-      const double side2 =
-        (std::max)({ squared_distance(triangle[0], triangle[1]), squared_distance(triangle[1], triangle[2]),
-                     squared_distance(triangle[2], triangle[0]) });
-      face.probable_maximum = face.max + std::sqrt(side2 / count);
+      face.probable_maximum = face.max + std::sqrt(squared_longest_side(triangle) / count);
       face.number_of_pieces = count / 4;
       faces[f] = face;
     });

@@ -154,10 +154,7 @@ private:
   // Whether the patch is so curved that the foot on the flat triangle is a poor estimate of the foot on the patch.
   bool is_bent() const
   {
-    const double longest2 =
-      (std::max)({ squared_distance(m_corners[0], m_corners[1]), squared_distance(m_corners[1], m_corners[2]),
-                   squared_distance(m_corners[2], m_corners[0]) });
-    return 100 * m_deviation * m_deviation > longest2;
+    return 100 * m_deviation * m_deviation > squared_longest_side(m_corners);
   }
 
   Coordinates closest_of_lattice(const Point& query, Coordinates best) const

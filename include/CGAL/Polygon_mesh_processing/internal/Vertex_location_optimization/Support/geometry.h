@@ -19,6 +19,7 @@
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Simple_cartesian.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -48,6 +49,11 @@ inline bool is_finite(const Point& p) { return std::isfinite(p.x()) && std::isfi
 
 // twice the area of the triangle, along its normal
 inline Vector area_normal(const Point& p, const Point& q, const Point& r) { return cross_product(q - p, r - p); }
+
+inline double squared_longest_side(const std::array<Point, 3>& t)
+{
+  return (std::max)({ squared_distance(t[0], t[1]), squared_distance(t[1], t[2]), squared_distance(t[2], t[0]) });
+}
 
 // angle at p in radians; well conditioned near 0 and pi, 0 where an edge has no length
 inline double angle_at(const Point& p, const Point& q, const Point& r)

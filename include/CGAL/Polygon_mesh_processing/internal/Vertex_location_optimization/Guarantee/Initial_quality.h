@@ -53,8 +53,8 @@ Initial_quality measure_initial_quality(const Reference& reference,
   };
   std::vector<float> means(remesh.number_of_faces()), maxima(means.size());
   const auto integral = sum_over_indices<ConcurrencyTag, Error_integral>(remesh.number_of_faces(), [&](std::size_t f) {
-    const Face_distances d = sampling.measure(reference, f, remesh.triangle(f), feet_of(f),
-                                              measure.distances.maximum_on_sides(remesh, f), is_exact);
+    const Face_distances d =
+      sampling.measure(reference, f, remesh.triangle(f), feet_of(f), measure.distances.on_sides(remesh, f), is_exact);
     maxima[f] = static_cast<float>((std::max)(d.max, measure.distances.maximum(remesh, f)));
     means[f] = static_cast<float>(d.mean);
     const double area = remesh.area(f);

@@ -73,7 +73,7 @@ class Result_distances
   // in single precision, as there are many
   struct Face
   {
-    float mean, mean_square, max;
+    float mean, variance, mean_square, max;
     Face_orientation orientation; // at the barycenter
   };
 
@@ -159,11 +159,7 @@ public:
   double integral(std::size_t f) const { return m_remesh.area(f, m_remesh.next_points) * m_faces[f].mean; }
 
   // of that integral, as the samples tell
-  double variance(std::size_t f) const
-  {
-    const double of_samples = (std::max)(0., m_faces[f].mean_square - square(double(m_faces[f].mean)));
-    return square(m_remesh.area(f, m_remesh.next_points)) * of_samples / m_sampling.number_of_samples(f);
-  }
+  double variance(std::size_t f) const { return square(m_remesh.area(f, m_remesh.next_points)) * m_faces[f].variance; }
 
   // at the barycenter of face f
   Face_orientation orientation(std::size_t f) const { return m_faces[f].orientation; }
@@ -177,7 +173,7 @@ public:
   }
 
   // the largest of the samples on face f
-  double sampled_maximum(std::size_t f) const { return (std::max)(double(m_faces[f].max), maximum_on_sides(f)); }
+  double sampled_maximum(std::size_t f) const { return (std::max)(double(m_faces[f].max), on_sides(f).maximum()); }
 
   double maximum() const
   {
@@ -222,13 +218,9 @@ private:
 
   Face_feet<Foot> feet(std::size_t f) const { return feet_of_face<Foot>(m_remesh, f, m_vertices, m_midpoints); }
 
-  double maximum_on_sides(std::size_t f) const
+  Distances_on_sides on_sides(std::size_t f) const
   {
-    double result = 0;
-    for(int k = 0; k < 3; ++k)
-      result =
-        (std::max)({ result, m_vertices.distances[m_remesh.face(f)[k]], m_midpoints.distances[m_remesh.face_edges[f][k]] });
-    return result;
+    return distances_on_sides(m_remesh, f, m_vertices.distances, m_midpoints.distances);
   }
 
   bool has_moved(std::size_t f) const
@@ -252,11 +244,11 @@ private:
   void measure_face(std::size_t f)
   {
     const std::array<Point, 3> t = m_remesh.triangle(f, m_remesh.next_points);
-    const Face_distances d = m_sampling.measure(m_reference, f, t, feet(f), maximum_on_sides(f));
+    const Face_distances d = m_sampling.measure(m_reference, f, t, feet(f), on_sides(f));
     const Point p = point_at(t, barycenter_coordinates);
     const Foot foot = m_reference.project(p, barycenter_hint(f));
     const double at_barycenter = distance_to_foot(p, m_reference, foot);
-    m_faces[f] = { static_cast<float>(d.mean), static_cast<float>(d.mean_square),
+    m_faces[f] = { static_cast<float>(d.mean), static_cast<float>(d.variance), static_cast<float>(d.mean_square),
                    static_cast<float>((std::max)(d.max, at_barycenter)),
                    orientation_at(m_reference, foot, m_remesh.area_normal(f, m_remesh.next_points)) };
   }

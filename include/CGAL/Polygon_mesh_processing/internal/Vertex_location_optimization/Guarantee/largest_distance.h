@@ -46,7 +46,7 @@ double largest_distance_on_face(const Reference& reference,
   if(sampled_maximum <= found)
     return found;
   constexpr bool is_exact = true;
-  return (std::max)(found, sampling.measure(reference, f, t, feet, 0, is_exact).max);
+  return (std::max)(found, sampling.measure(reference, f, t, feet, Distances_on_sides(), is_exact).max);
 }
 
 // The largest distance of the faces with the largest samples. `largest_on_face(f, bound)` is that of face f, or `bound`.

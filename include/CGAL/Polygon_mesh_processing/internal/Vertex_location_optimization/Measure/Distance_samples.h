@@ -18,6 +18,7 @@
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/Mesh_arrays.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -32,6 +33,33 @@ struct Cubic_quadrature
   static double of_barycenter(double x) { return x * 9 / 20; }
 };
 
+// The distances of a face to the reference at its corners and at the midpoints of the sides opposite to them.
+struct Distances_on_sides
+{
+  double maximum() const
+  {
+    return (std::max)(*std::max_element(at_corners.begin(), at_corners.end()),
+                      *std::max_element(at_midpoints.begin(), at_midpoints.end()));
+  }
+
+  std::array<double, 3> at_corners{}, at_midpoints{};
+};
+
+// those of face f, from those at the vertices and at the midpoints of the edges
+inline Distances_on_sides distances_on_sides(const Mesh_arrays& mesh,
+                                             const std::size_t f,
+                                             const std::vector<double>& at_vertices,
+                                             const std::vector<double>& at_midpoints)
+{
+  Distances_on_sides result;
+  for(int k = 0; k < 3; ++k)
+  {
+    result.at_corners[k] = at_vertices[mesh.face(f)[k]];
+    result.at_midpoints[k] = at_midpoints[mesh.face_edges[f][k]];
+  }
+  return result;
+}
+
 // The distances of a mesh to the reference at the points of the quadrature.
 struct Distance_samples
 {
@@ -41,17 +69,12 @@ struct Distance_samples
 
   double maximum(const Mesh_arrays& mesh, std::size_t f) const
   {
-    return (std::max)(at_barycenters[f], maximum_on_sides(mesh, f));
+    return (std::max)(at_barycenters[f], on_sides(mesh, f).maximum());
   }
 
-  double maximum_on_sides(const Mesh_arrays& mesh, std::size_t f) const
+  Distances_on_sides on_sides(const Mesh_arrays& mesh, std::size_t f) const
   {
-    double result = 0;
-    for(Index i : mesh.face(f))
-      result = (std::max)(result, at_vertices[i]);
-    for(Index e : mesh.face_edges[f])
-      result = (std::max)(result, at_midpoints[e]);
-    return result;
+    return distances_on_sides(mesh, f, at_vertices, at_midpoints);
   }
 
   std::vector<double> at_vertices;

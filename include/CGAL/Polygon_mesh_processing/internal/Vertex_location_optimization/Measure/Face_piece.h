@@ -87,8 +87,7 @@ struct Face_piece
     const std::array<double, 3> lambda = x.barycentric();
     const auto farthest = std::min_element(lambda.begin(), lambda.end()) - lambda.begin();
     const auto nearest = std::max_element(lambda.begin(), lambda.end()) - lambda.begin();
-    return { point_at(triangle(), x),
-             m_has_midpoints ? midpoints[farthest] : corners[nearest] };
+    return { point_at(triangle(), x), m_has_midpoints ? midpoints[farthest] : corners[nearest] };
   }
 
   std::array<Point, 3> triangle() const { return { corners[0].point, corners[1].point, corners[2].point }; }

@@ -40,7 +40,7 @@ public:
   {
     constexpr double smallest_residual = 1e-4; // relative to `length`, that of edges
     const double residual = normal * offset;
-    const double weight = area * std::pow(smallest_residual + std::abs(residual) / length, -reweighting);
+    const double weight = area / power(smallest_residual + std::abs(residual) / length, reweighting);
     const Vector m = weight * normal;
     m_H = { m.x() * normal.x(), m.x() * normal.y(), m.x() * normal.z(),
             m.y() * normal.y(), m.y() * normal.z(), m.z() * normal.z() };
@@ -96,6 +96,11 @@ public:
   double mean_residual() const { return m_area > 0 ? m_sum_of_residuals / m_area : 0; }
 
 private:
+  static double power(const double x, const double exponent)
+  {
+    return exponent == 0.5 ? std::sqrt(x) : std::pow(x, exponent); // most often the former, which is much faster
+  }
+
   Diagonalize_traits::Covariance_matrix m_H{ { 0, 0, 0, 0, 0, 0 } }; // the upper triangle, row by row
   Vector m_g = NULL_VECTOR;
   double m_area = 0, m_sum_of_residuals = 0;

@@ -16,6 +16,7 @@
 #include <CGAL/license/Vertex_location_optimization.h>
 
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Maximum_from_reference.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Uncertain_sum.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Measure/Error_integral.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Remesh.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Sampling/Area_samples.h>
@@ -106,7 +107,7 @@ public:
   template <typename ConcurrencyTag>
   Approximation_error initial_error() const
   {
-    Approximation_error result = error<ConcurrencyTag>(&Sample::initial_distance);
+    Approximation_error result = integral<ConcurrencyTag>(&Sample::initial_distance).error();
     if constexpr(Reference::walks)
       result.max = m_maximum.initial_maximum();
     return result;
@@ -117,7 +118,7 @@ public:
   {
     if(m_samples.empty())
       return {};
-    Approximation_error result = error<ConcurrencyTag>(&Sample::distance);
+    Approximation_error result = integral<ConcurrencyTag>(&Sample::distance).error();
     if constexpr(Reference::walks)
     {
       const Tree tree = make_face_tree(m_remesh, m_remesh.next_points);
@@ -126,8 +127,21 @@ public:
     return result;
   }
 
-  double initial_mean() const { return mean_of(&Sample::initial_distance); }
-  double mean() const { return mean_of(&Sample::distance); }
+  // Whether the mean has not risen, whatever the samples miss; what is less than `negligible` does not count.
+  template <typename ConcurrencyTag>
+  bool is_mean_kept(const double negligible) const
+  {
+    constexpr double rounding = 1e-6; // of the distances, in single precision
+    const auto weighted_change = [&](std::size_t i) { return m_samples[i].weight * change(m_samples[i]); };
+    // Samples that follow each other are neighbors, each in its own part of the surface: what they miss between them is the
+    // variance among neighbors, which is less than that among all.
+    const auto total = sum_over_indices<ConcurrencyTag, Uncertain_sum>(m_samples.size(), [&](std::size_t i) {
+      const double c = weighted_change(i);
+      return Uncertain_sum{ c, i == 0 ? 0 : square(c - weighted_change(i - 1)) / 2 };
+    });
+    const Error_integral initial = integral<ConcurrencyTag>(&Sample::initial_distance);
+    return !(total.upper_bound() > rounding * initial.distance + negligible * initial.area);
+  }
 
   // The integrals of the distance over the samples initially closest to each face: the initial ones, and by how much they
   // have grown.
@@ -137,7 +151,7 @@ public:
     for(const Sample& s : m_samples)
     {
       initial[s.initial_face] += double(s.weight) * s.initial_distance;
-      changes[s.initial_face] += s.weight * (double(s.distance) - s.initial_distance);
+      changes[s.initial_face] += s.weight * change(s);
     }
     return { std::move(initial), std::move(changes) };
   }
@@ -184,18 +198,15 @@ private:
     });
   }
 
-  double mean_of(float Sample::*distance) const { return error<Sequential_tag>(distance).mean; }
+  static double change(const Sample& s) { return double(s.distance) - s.initial_distance; }
 
   template <typename ConcurrencyTag>
-  Approximation_error error(float Sample::*distance) const
+  Error_integral integral(float Sample::*distance) const
   {
-    return sum_over_indices<ConcurrencyTag, Error_integral>(
-             m_samples.size(),
-             [&](std::size_t i) {
-               const double weight = m_samples[i].weight, d = m_samples[i].*distance;
-               return Error_integral{ weight, weight * d, weight * square(d), d };
-             })
-      .error();
+    return sum_over_indices<ConcurrencyTag, Error_integral>(m_samples.size(), [&](std::size_t i) {
+      const double weight = m_samples[i].weight, d = m_samples[i].*distance;
+      return Error_integral{ weight, weight * d, weight * square(d), d };
+    });
   }
 
   // the largest distance of those samples that have the largest ones, as they were measured

@@ -159,14 +159,22 @@ private:
     const auto add = [&](const Indices& vertices) { result.insert(vertices.begin(), vertices.end()); };
     add(vertices_that_raise_maximum_from_reference());
     if(!m_mean.template is_lower<ConcurrencyTag>())
-      add(m_moves.vertices_with_positive_sum(m_mean.template initial_integrals_and_changes<ConcurrencyTag>().second));
+      add(vertices_that_raise(m_mean.template initial_integrals_and_changes<ConcurrencyTag>().second));
     m_distances_from_reference.template measure_exactly<ConcurrencyTag>();
     if(!is_mean_from_reference_kept())
-      add(m_moves.vertices_with_positive_sum(m_distances_from_reference.initial_integrals_and_changes().second));
+      add(vertices_that_raise(m_distances_from_reference.initial_integrals_and_changes().second));
     for(std::size_t i = 0; i < m_remesh.points.size(); ++i)
       if(m_moves.is_moved(i) && !m_allow_move(i, m_remesh.initial_points[i], m_remesh.next_points[i]))
         result.insert(static_cast<Index>(i));
     return result;
+  }
+
+  // The vertices whose moves have raised a mean, given by how much the integrals over the faces have changed: all if none
+  // has, so that the mean may only have risen between the samples.
+  Indices vertices_that_raise(const std::vector<double>& changes) const
+  {
+    const Indices raising = m_moves.vertices_with_positive_sum(changes);
+    return raising.empty() ? m_moves.moved_vertices() : raising;
   }
 
   // No face is flipped, collapses or gets a sharper fold afterwards, and the user allows all moves.
@@ -234,12 +242,9 @@ private:
     return shorten_raising(stage, initial, changes);
   }
 
-  // it need not decrease, as it is not optimized
   bool is_mean_from_reference_kept() const
   {
-    constexpr double rounding = 1e-6; // of the distances, in single precision
-    const double initial = m_distances_from_reference.initial_mean();
-    return m_distances_from_reference.mean() <= (1 + rounding) * initial + m_mean.negligible_distance();
+    return m_distances_from_reference.template is_mean_kept<ConcurrencyTag>(m_mean.negligible_distance());
   }
 
   Indices vertices_of(const Indices& faces) const

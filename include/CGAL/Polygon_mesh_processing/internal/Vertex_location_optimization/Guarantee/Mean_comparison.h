@@ -18,11 +18,11 @@
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Initial_quality.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Moves.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Result_distances.h>
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Uncertain_sum.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Remesh.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/for_each_index.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -46,13 +46,12 @@ public:
   template <typename ConcurrencyTag>
   bool is_lower() const
   {
-    constexpr double deviations = 2; // of the sum
-    const auto total = sum_over_faces<ConcurrencyTag, Change>([&](std::size_t f) {
-      return Change{ change(f), m_moves.has_moved(f) ? m_distances.variance(f) : 0 };
+    const auto total = sum_over_faces<ConcurrencyTag, Uncertain_sum>([&](std::size_t f) {
+      return Uncertain_sum{ change(f), m_moves.has_moved(f) ? m_distances.variance(f) : 0 };
     });
     const double area =
       sum_over_faces<ConcurrencyTag, double>([&](std::size_t f) { return m_remesh.area(f, m_remesh.initial_points); });
-    return total.sum + deviations * std::sqrt(total.variance) <= negligible_distance() * area;
+    return total.upper_bound() <= negligible_distance() * area;
   }
 
   // The integrals of the distance over the faces: at first, and by how much they have grown.
@@ -76,18 +75,6 @@ public:
   }
 
 private:
-  struct Change
-  {
-    double sum = 0, variance = 0;
-
-    Change& operator+=(const Change& other)
-    {
-      sum += other.sum;
-      variance += other.variance;
-      return *this;
-    }
-  };
-
   template <typename ConcurrencyTag, typename T, typename F>
   T sum_over_faces(const F& f) const
   {

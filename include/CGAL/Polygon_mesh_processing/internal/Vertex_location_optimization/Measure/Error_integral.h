@@ -59,8 +59,9 @@ struct Error_integral
     return *this;
   }
 
-  double mean() const { return mean_of(distance, area); }
-  double mean_square() const { return mean_of(squared_distance, area); }
+  // rounding must not make these negative
+  double mean() const { return (std::max)(0., mean_of(distance, area)); }
+  double mean_square() const { return (std::max)(0., mean_of(squared_distance, area)); }
   Approximation_error error() const { return { mean(), std::sqrt(mean_square()), max }; }
 };
 

@@ -111,9 +111,8 @@ void test_between_samples()
       Impatient_visitor visitor;
       visitor.max_iterations = iterations;
       Mesh mesh = remesh;
-      const auto report = PMP::optimize_vertex_locations(
-        mesh, surface,
-        CGAL::parameters::placement_method(method).do_self_intersection_tests(true).visitor(std::ref(visitor)));
+      const auto report =
+        PMP::optimize_vertex_locations(mesh, surface, CGAL::parameters::placement_method(method).visitor(std::ref(visitor)));
       CHECK_EQUAL(report.iterations, iterations);
       CHECK(points_of(mesh) != points_of(remesh));
       // on two of them it stays: the vertices of the face that has it are put back

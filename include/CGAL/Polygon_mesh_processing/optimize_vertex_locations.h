@@ -49,9 +49,9 @@ namespace Polygon_mesh_processing {
  * did not before. No face has collapsed, that is, has a smallest angle that is at once below 10 degrees, below half of its
  * initial value, and below the initial smallest angles of all faces around it. No edge is folded sharply, that is, at once
  * by more than a right angle, by 5 degrees more than any edge at its ends was initially, and by 10 degrees more than the
- * reference turns there. To this end, the distance is sampled at some 32768 points, from one to 576 in each face, and its
- * maximum is searched for by branch and bound, with a margin of 1%. Moves are shortened only where they do harm. If a
- * mean still does not fall by more than the accuracy of its samples, all moves are taken back. Section \ref secVLOGuarantee
+ * reference turns there. To this end, the distance is sampled at some ten thousand points, one to 576 in each face, and its
+ * maximum is searched for by branch and bound, with a margin of 1%. Moves are shortened only where they do harm. If a mean
+ * still has not fallen by more than its samples leave uncertain, all moves are taken back. Section \ref secVLOGuarantee
  * describes what the samples may miss.
  *
  * The faces may have any number of corners. A face with more than three corners represents the mean of its fan

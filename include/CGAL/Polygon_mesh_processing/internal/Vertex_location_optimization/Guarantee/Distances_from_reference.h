@@ -127,20 +127,20 @@ public:
     return result;
   }
 
-  // Whether the mean has not risen, whatever the samples miss; what is less than `negligible` does not count.
+  // Whether the mean has not risen, by twice its standard error; what is less than `negligible` does not count.
   template <typename ConcurrencyTag>
   bool is_mean_kept(const double negligible) const
   {
     constexpr double rounding = 1e-6; // of the distances, in single precision
     const auto weighted_change = [&](std::size_t i) { return m_samples[i].weight * change(m_samples[i]); };
-    // Samples that follow each other are neighbors, each in its own part of the surface: what they miss between them is the
-    // variance among neighbors, which is less than that among all.
+    // Samples that follow each other are neighbors: the surface is stratified, and the variance is that among neighbors,
+    // which is less than that among all.
     const auto total = sum_over_indices<ConcurrencyTag, Uncertain_sum>(m_samples.size(), [&](std::size_t i) {
       const double c = weighted_change(i);
       return Uncertain_sum{ c, i == 0 ? 0 : square(c - weighted_change(i - 1)) / 2 };
     });
     const Error_integral initial = integral<ConcurrencyTag>(&Sample::initial_distance);
-    return !(total.upper_bound() > rounding * initial.distance + negligible * initial.area);
+    return m_samples.empty() || total.upper_bound() <= rounding * initial.distance + negligible * initial.area;
   }
 
   // The integrals of the distance over the samples initially closest to each face: the initial ones, and by how much they

@@ -15,7 +15,6 @@
 
 #include <CGAL/license/Vertex_location_optimization.h>
 
-#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/Face_sampling.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Guarantee/walk_or_search.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/Reference_access.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/geometry.h>
@@ -51,11 +50,11 @@ private:
 };
 
 // Finds the point of a triangle that is farthest from the reference, by branch and bound: the triangle is cut into parts,
-// first where it may be farthest away, until none can have a distance above the largest one known. No point of a part is
-// farther away than the corner next to it by more than what lies between these two. Usually much less is added: if the
-// reference was the plane that touches it at the point closest to a corner, the largest distance would be at a corner, and
-// what the distances at the other corners differ by from those to this plane tells how the reference bends. For a triangle
-// not much larger than the distance itself, only the first bound is used.
+// first where it may be farthest away, until none can have a distance above the largest one known. The distance changes no
+// faster than the point: it exceeds that at the nearest corner by no more than the way there. Usually, much less is added: if
+// the reference were its tangent plane at the point closest to a corner, the largest distance would be at a corner, and the
+// differences between the distances of the corners from the reference and from this plane tell how the reference bends. For a
+// triangle not much larger than the distance itself, only the first bound is used.
 template <typename Reference>
 class Farthest_point
 {

@@ -169,8 +169,8 @@ private:
     return result;
   }
 
-  // The vertices whose moves have raised a mean, given by how much the integrals over the faces have changed: all if none
-  // has, so that the mean may only have risen between the samples.
+  // The vertices whose moves have raised a mean, from the changes of the integrals over the faces; all moved vertices if there
+  // are none, as the mean may then have risen between the samples.
   Indices vertices_that_raise(const std::vector<double>& changes) const
   {
     const Indices raising = m_moves.vertices_with_positive_sum(changes);

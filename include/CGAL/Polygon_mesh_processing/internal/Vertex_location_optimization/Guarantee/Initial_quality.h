@@ -36,6 +36,7 @@ struct Initial_quality
 {
   Approximation_error error; // of the distance to the reference; its maximum is more likely too small than too large
   std::vector<float> means;  // of that distance, on the faces
+  std::vector<float> standard_errors; // of these means
   std::vector<Face_orientation> orientations;
 };
 
@@ -51,17 +52,18 @@ Initial_quality measure_initial_quality(const Reference& reference,
   const auto feet_of = [&](std::size_t f) {
     return feet_of_face<typename Reference::Foot>(remesh, f, samples.vertices, samples.midpoints);
   };
-  std::vector<float> means(remesh.number_of_faces()), maxima(means.size());
+  std::vector<float> means(remesh.number_of_faces()), standard_errors(means.size()), maxima(means.size());
   const auto integral = sum_over_indices<ConcurrencyTag, Error_integral>(remesh.number_of_faces(), [&](std::size_t f) {
     const Face_distances d =
       sampling.measure(reference, f, remesh.triangle(f), feet_of(f), measure.distances.on_sides(remesh, f), is_exact);
     maxima[f] = static_cast<float>((std::max)(d.max, measure.distances.maximum(remesh, f)));
     means[f] = static_cast<float>(d.mean);
+    standard_errors[f] = static_cast<float>(d.standard_error);
     const double area = remesh.area(f);
     return Error_integral{ area, area * d.mean, area * d.mean_square, maxima[f] };
   });
 
-  Initial_quality quality{ integral.error(), std::move(means), std::move(measure.orientations) };
+  Initial_quality quality{ integral.error(), std::move(means), std::move(standard_errors), std::move(measure.orientations) };
   quality.error.max = largest_distance(
     remesh, [&](std::size_t f) { return maxima[f]; },
     [&](std::size_t f, double bound) {

@@ -47,7 +47,7 @@ public:
   bool is_lower() const
   {
     const auto total = sum_over_faces<ConcurrencyTag, Uncertain_sum>([&](std::size_t f) {
-      return Uncertain_sum{ change(f), m_moves.has_moved(f) ? m_distances.variance(f) : 0 };
+      return Uncertain_sum{ change(f), variance(f) };
     });
     const double area =
       sum_over_faces<ConcurrencyTag, double>([&](std::size_t f) { return m_remesh.area(f, m_remesh.initial_points); });
@@ -60,7 +60,7 @@ public:
   {
     std::vector<double> initial(m_remesh.number_of_faces()), changes(initial.size());
     for_each_index<ConcurrencyTag>(changes.size(), [&](std::size_t f) {
-      initial[f] = m_remesh.area(f, m_remesh.initial_points) * m_initial.means[f];
+      initial[f] = m_remesh.area(f, m_remesh.initial_points) * (std::max)(0.f, m_initial.means[f]);
       changes[f] = change(f);
     });
     return { std::move(initial), std::move(changes) };
@@ -90,6 +90,17 @@ private:
     const double area = m_remesh.area(f, m_remesh.initial_points);
     const double growth = m_remesh.area(f, m_remesh.next_points) - area;
     return m_distances.integral(f) - area * m_initial.means[f] - m_initial.error.mean * growth;
+  }
+
+  // of that
+  double variance(std::size_t f) const
+  {
+    const auto of_integral = [&](const std::vector<Point>& points, double standard_error) {
+      return square(m_remesh.area(f, points) * standard_error);
+    };
+    return m_moves.has_moved(f) ? of_integral(m_remesh.initial_points, m_initial.standard_errors[f]) +
+                                    of_integral(m_remesh.next_points, m_distances.standard_error(f))
+                                : 0;
   }
 
   const Remesh& m_remesh;

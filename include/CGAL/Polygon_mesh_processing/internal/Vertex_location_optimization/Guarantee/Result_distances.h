@@ -44,7 +44,7 @@ class Result_distances
   using Foot = typename Reference::Foot;
   using Hint = typename Reference::Hint;
 
-  static constexpr float unknown = -1; // a distance that is not measured
+  static constexpr float unknown = -1; // of what is not measured
 
   // The distances at some queries, and where to search for their closest points.
   struct Samples
@@ -73,7 +73,7 @@ class Result_distances
   // in single precision, as there are many
   struct Face
   {
-    float mean, variance, mean_square, max;
+    float mean, standard_error, mean_square, max;
     Face_orientation orientation; // at the barycenter
   };
 
@@ -122,7 +122,7 @@ public:
       else
       {
         restore_face(faces[k]);
-        m_faces[faces[k]].mean_square = unknown;
+        m_faces[faces[k]].standard_error = unknown;
       }
     });
     for(Index i : vertices)
@@ -135,7 +135,7 @@ public:
   void complete()
   {
     for_each_index<ConcurrencyTag>(m_faces.size(), [&](std::size_t f) {
-      if(m_faces[f].mean_square != unknown)
+      if(m_faces[f].standard_error != unknown)
         return;
       measure_face(f);
       restore_face(f);
@@ -158,8 +158,8 @@ public:
   // the integral over face f
   double integral(std::size_t f) const { return m_remesh.area(f, m_remesh.next_points) * m_faces[f].mean; }
 
-  // of that integral, as the samples tell
-  double variance(std::size_t f) const { return square(m_remesh.area(f, m_remesh.next_points)) * m_faces[f].variance; }
+  // of the mean over face f, as its samples tell
+  double standard_error(std::size_t f) const { return m_faces[f].standard_error; }
 
   // at the barycenter of face f
   Face_orientation orientation(std::size_t f) const { return m_faces[f].orientation; }
@@ -248,7 +248,7 @@ private:
     const Point p = point_at(t, barycenter_coordinates);
     const Foot foot = m_reference.project(p, barycenter_hint(f));
     const double at_barycenter = distance_to_foot(p, m_reference, foot);
-    m_faces[f] = { static_cast<float>(d.mean), static_cast<float>(d.variance), static_cast<float>(d.mean_square),
+    m_faces[f] = { static_cast<float>(d.mean), static_cast<float>(d.standard_error), static_cast<float>(d.mean_square),
                    static_cast<float>((std::max)(d.max, at_barycenter)),
                    orientation_at(m_reference, foot, m_remesh.area_normal(f, m_remesh.next_points)) };
   }

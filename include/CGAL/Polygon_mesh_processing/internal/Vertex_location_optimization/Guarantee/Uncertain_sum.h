@@ -19,7 +19,7 @@
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
-// A sum that is known from samples, and the variance that these tell.
+// A sum that is estimated from samples, and its variance.
 struct Uncertain_sum
 {
   double sum = 0, variance = 0;
@@ -31,7 +31,7 @@ struct Uncertain_sum
     return *this;
   }
 
-  // rarely exceeded
+  // exceeded in one of some forty cases if the errors are normally distributed
   double upper_bound() const
   {
     constexpr double deviations = 2;

@@ -30,8 +30,8 @@
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
 // The largest distance of face f with its corners at `t`, if it is larger than `bound`; otherwise `bound`. It may be at a
-// sample where the search has not found it: `sampled_maximum` is that of the samples, or larger if walking has missed closer
-// points. `feet` are hints.
+// sample where the search has not found it: `sampled_maximum` is that of the samples and the barycenter, or larger if walking
+// has missed closer points. `feet` are hints.
 template <typename Reference>
 double largest_distance_on_face(const Reference& reference,
                                 const Face_sampling& sampling,
@@ -45,8 +45,10 @@ double largest_distance_on_face(const Reference& reference,
   const double found = Farthest_point<Reference>(reference)(t, feet.of_corners, bound, is_any_enough);
   if(sampled_maximum <= found)
     return found;
+  const Point barycenter = point_at(t, barycenter_coordinates);
+  const double at_barycenter = distance_to_foot(barycenter, reference, reference.project(barycenter, feet.of_midpoints[0]));
   constexpr bool is_exact = true;
-  return (std::max)(found, sampling.measure(reference, f, t, feet, Distances_on_sides(), is_exact).max);
+  return (std::max)({ found, at_barycenter, sampling.measure(reference, f, t, feet, Distances_on_sides(), is_exact).max });
 }
 
 // The largest distance of the faces with the largest samples. `largest_on_face(f, bound)` is that of face f, or `bound`.

@@ -38,8 +38,10 @@ struct Distances_on_sides
 {
   double maximum() const
   {
-    return (std::max)(*std::max_element(at_corners.begin(), at_corners.end()),
-                      *std::max_element(at_midpoints.begin(), at_midpoints.end()));
+    double result = 0;
+    for(int k = 0; k < 3; ++k)
+      result = (std::max)({ result, at_corners[k], at_midpoints[k] });
+    return result;
   }
 
   std::array<double, 3> at_corners{}, at_midpoints{};

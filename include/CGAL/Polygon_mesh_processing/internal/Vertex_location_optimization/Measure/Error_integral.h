@@ -59,7 +59,7 @@ struct Error_integral
     return *this;
   }
 
-  // rounding must not make these negative
+  // neither rounding nor uncertain faces must make these negative
   double mean() const { return (std::max)(0., mean_of(distance, area)); }
   double mean_square() const { return (std::max)(0., mean_of(squared_distance, area)); }
   Approximation_error error() const { return { mean(), std::sqrt(mean_square()), max }; }

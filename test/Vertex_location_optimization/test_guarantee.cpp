@@ -135,17 +135,16 @@ void test_reports()
   check_report(simplified(elephant, 2400), elephant);
 }
 
-// Of so many faces, each has a single sample of the distance, which may be far from the mean over the face. After one
-// iteration, most vertices are on the plane, and the distance changes its sign in most faces.
+// Of so many faces, each has a single sample of the distance, which is far from the mean over the face: the distance changes
+// its sign in most faces.
 void test_fine_faces()
 {
   start_topic("A mesh of many small faces");
   const double a = -10, b = 120;
   const Mesh plane = make_mesh({ { { a, a, 0 }, { b, a, 0 }, { b, b, 0 }, { a, b, 0 } }, { { 0, 1, 2 }, { 0, 2, 3 } } });
   CGAL::Random random(1);
-  Mesh mesh = make_mesh(transformed(triangle_grid(100, 100), [&](const Point& p) {
-    return Point(p.x(), p.y(), std::sin(p.x() / 9) + random.get_double(-0.3, 0.3));
-  }));
+  Mesh mesh = make_mesh(
+    transformed(triangle_grid(100, 100), [&](const Point& p) { return Point(p.x(), p.y(), random.get_double(-0.3, 0.3)); }));
   const auto errors_of = [](const Mesh& m) { return measure_errors(m, 16, [](const Point& p) { return std::abs(p.z()); }); };
   const Errors before = errors_of(mesh);
   const auto report =
@@ -154,7 +153,7 @@ void test_fine_faces()
   CHECK_AT_LEAST(num_faces(mesh), 15000u);
   CHECK_AT_LEAST(after.mean, 0.01 * before.mean);
   CHECK_NEAR(report.initial_error.mean, before.mean, 0.003 * before.mean);
-  CHECK_NEAR(report.final_error.mean, after.mean, 0.005 * after.mean);
+  CHECK_NEAR(report.final_error.mean, after.mean, 0.006 * after.mean);
 }
 
 // The gain of repeated calls falls below what the samples are exact to: then they must not be taken at their word.

@@ -152,10 +152,7 @@ private:
   }
 
   // Whether the patch is so curved that the foot on the flat triangle is a poor estimate of the foot on the patch.
-  bool is_bent() const
-  {
-    return 100 * m_deviation * m_deviation > squared_longest_side(m_corners);
-  }
+  bool is_bent() const { return 100 * m_deviation * m_deviation > squared_longest_side(m_corners); }
 
   Coordinates closest_of_lattice(const Point& query, Coordinates best) const
   {

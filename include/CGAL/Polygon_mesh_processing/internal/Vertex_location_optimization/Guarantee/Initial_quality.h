@@ -52,23 +52,23 @@ Initial_quality measure_initial_quality(const Reference& reference,
   const auto feet_of = [&](std::size_t f) {
     return feet_of_face<typename Reference::Foot>(remesh, f, samples.vertices, samples.midpoints);
   };
-  std::vector<float> means(remesh.number_of_faces()), standard_errors(means.size()), maxima(means.size());
+  const auto sampled_maximum = [&](std::size_t f) { return measure.distances.maximum(remesh, f); };
+  std::vector<float> means(remesh.number_of_faces()), standard_errors(means.size());
   const auto integral = sum_over_indices<ConcurrencyTag, Error_integral>(remesh.number_of_faces(), [&](std::size_t f) {
     const Face_distances d =
       sampling.measure(reference, f, remesh.triangle(f), feet_of(f), measure.distances.on_sides(remesh, f), is_exact);
-    maxima[f] = static_cast<float>((std::max)(d.max, measure.distances.maximum(remesh, f)));
+    double& largest_inside = measure.distances.largest_inside[f];
+    largest_inside = (std::max)(largest_inside, d.max);
     means[f] = static_cast<float>(d.mean);
     standard_errors[f] = static_cast<float>(d.standard_error);
     const double area = remesh.area(f);
-    return Error_integral{ area, area * d.mean, area * d.mean_square, maxima[f] };
+    return Error_integral{ area, area * d.mean, area * d.mean_square, sampled_maximum(f) };
   });
 
   Initial_quality quality{ integral.error(), std::move(means), std::move(standard_errors), std::move(measure.orientations) };
-  quality.error.max = largest_distance(
-    remesh, [&](std::size_t f) { return maxima[f]; },
-    [&](std::size_t f, double bound) {
-      return largest_distance_on_face(reference, sampling, f, remesh.triangle(f), feet_of(f), maxima[f], bound);
-    });
+  quality.error.max = largest_distance(remesh, sampled_maximum, [&](std::size_t f, double bound) {
+    return largest_distance_on_face(reference, sampling, f, remesh.triangle(f), feet_of(f), sampled_maximum(f), bound);
+  });
   return quality;
 }
 

@@ -85,7 +85,7 @@ public:
                    Remesh_sample_offsets<Hint> samples)
     : m_reference(reference), m_remesh(remesh), m_initial(initial), m_sampling(remesh, remesh.initial_points),
       m_vertices(samples.vertices), m_midpoints(samples.midpoints), m_points(remesh.points),
-      m_faces(remesh.number_of_faces()), m_initial_maxima(remesh.number_of_faces(), unknown)
+      m_faces(remesh.number_of_faces())
   {}
 
   // Measures the next points.
@@ -185,7 +185,7 @@ public:
   }
 
   // Whether the largest distance on face f is larger than `limit` and than with the initial points.
-  bool exceeds(std::size_t f, double limit)
+  bool exceeds(std::size_t f, double limit) const
   {
     const double sampled = sampled_maximum(f);
     // no point is farther away from all corners and midpoints
@@ -194,12 +194,8 @@ public:
       return false;
     if(!(largest_on_face(f, m_remesh.next_points, sampled, limit, true) > limit))
       return false;
-    float& initial = m_initial_maxima[f];
-    if(initial == unknown)
-    {
-      constexpr double all_samples = std::numeric_limits<double>::infinity(); // are measured again
-      initial = rounded_up(largest_on_face(f, m_remesh.initial_points, all_samples, limit, false));
-    }
+    constexpr double all_samples = std::numeric_limits<double>::infinity(); // are measured again
+    const double initial = rounded_up(largest_on_face(f, m_remesh.initial_points, all_samples, limit, false));
     return largest_on_face(f, m_remesh.next_points, sampled, initial, true) > initial;
   }
 
@@ -267,7 +263,6 @@ private:
   Samples m_vertices, m_midpoints;
   std::vector<Point> m_points; // of the vertices, for which the samples were taken
   std::vector<Face> m_faces;
-  std::vector<float> m_initial_maxima; // of the distances on the faces, once they are needed
 };
 
 } // namespace CGAL::Polygon_mesh_processing::internal::vertex_location

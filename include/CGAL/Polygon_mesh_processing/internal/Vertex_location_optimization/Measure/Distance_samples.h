@@ -62,16 +62,16 @@ inline Distances_on_sides distances_on_sides(const Mesh_arrays& mesh,
   return result;
 }
 
-// The distances of a mesh to the reference at the points of the quadrature.
+// The distances of a mesh to the reference.
 struct Distance_samples
 {
   explicit Distance_samples(const Mesh_arrays& mesh)
-    : at_vertices(mesh.points.size()), at_midpoints(mesh.edges.size()), at_barycenters(mesh.number_of_faces())
+    : at_vertices(mesh.points.size()), at_midpoints(mesh.edges.size()), largest_inside(mesh.number_of_faces())
   {}
 
   double maximum(const Mesh_arrays& mesh, std::size_t f) const
   {
-    return (std::max)(at_barycenters[f], on_sides(mesh, f).maximum());
+    return (std::max)(largest_inside[f], on_sides(mesh, f).maximum());
   }
 
   Distances_on_sides on_sides(const Mesh_arrays& mesh, std::size_t f) const
@@ -81,7 +81,7 @@ struct Distance_samples
 
   std::vector<double> at_vertices;
   std::vector<double> at_midpoints;
-  std::vector<double> at_barycenters;
+  std::vector<double> largest_inside; // of the faces: at first those at the barycenters
 };
 
 } // namespace CGAL::Polygon_mesh_processing::internal::vertex_location

@@ -87,7 +87,7 @@ public:
         if(!barycenters.empty())
           barycenters.set_foot(f, reference, query, foot);
         const Point barycenter = point_at(remesh.triangle(f), barycenter_coordinates);
-        measure.distances.at_barycenters[f] = distance_to_foot(barycenter, reference, foot);
+        measure.distances.largest_inside[f] = distance_to_foot(barycenter, reference, foot);
         measure.orientations[f] = orientation_at(reference, foot, remesh.area_normal(f));
       });
     return measure;

@@ -19,6 +19,7 @@
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/for_each_index.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numeric>
@@ -26,8 +27,8 @@
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
-// Samples the faces of a mesh coarsely first, and then more finely where the mean of the distance is least certain, until
-// its standard error is small enough. Faces go by blocks; neighbors follow each other.
+// Samples the faces of a mesh coarsely first, and then more finely where the distance is rough, until the standard error of
+// its mean is small enough.
 template <typename ConcurrencyTag, typename MeasureFace>
 class Adaptive_sampling
 {
@@ -39,40 +40,26 @@ public:
 
   void run()
   {
-    constexpr int most_rounds = 6;
-    m_blocks.assign((m_faces.size() + block_size - 1) / block_size, Block{ 0, { 16, least_depth() } });
-    std::vector<Index> coarse(m_blocks.size());
+    m_fineness.assign(m_faces.size(), Fineness{ 16, least_depth() });
+    m_levels.assign(m_faces.size(), 0);
+    std::vector<Index> coarse(m_faces.size());
     std::iota(coarse.begin(), coarse.end(), Index(0));
     for(int round = 1; !coarse.empty(); ++round)
     {
-      for_each_index<ConcurrencyTag>(coarse.size(), [&](std::size_t i) { measure_block(coarse[i]); });
+      for_each_index<ConcurrencyTag>(coarse.size(), [&](std::size_t i) {
+        const Index f = coarse[i];
+        m_faces[f] = m_measure_face(f, m_fineness[f]);
+      });
       if(round == most_rounds)
         return;
-      coarse = find_uncertain_blocks();
-      for(Index b : coarse)
-        m_blocks[b].refine();
+      coarse = find_coarse_faces();
+      for(Index f : coarse)
+        refine(f);
     }
   }
 
 private:
-  static constexpr std::size_t block_size = 16;
-  static constexpr double reduction = 1. / 12; // of the variance, where pieces have a quarter of the area; often more
-
-  struct Block
-  {
-    // Pieces of a quarter of the area. Most were not as coarse as they might have been.
-    void refine()
-    {
-      fineness.largest_coarseness = (std::min)(fineness.largest_coarseness, 2 * coarseness / area) / 4;
-      ++level;
-    }
-
-    int level = 0; // of the refinement
-    Fineness fineness;
-    double area = 0, distance = 0, coarseness = 0; // integrals over the faces
-    double variance = 0;                           // of the integral of the distance
-    std::size_t number_of_pieces = 0;
-  };
+  static constexpr int most_rounds = 6;
 
   // small meshes are cut to more pieces, which costs little
   int least_depth() const
@@ -84,80 +71,102 @@ private:
     return depth;
   }
 
-  void measure_block(const Index b)
+  // to pieces of a quarter of the area; most were not as coarse as they might have been
+  void refine(const Index f)
   {
-    Block block{ m_blocks[b].level, m_blocks[b].fineness };
-    const std::size_t begin = b * block_size, end = (std::min)(begin + block_size, m_faces.size());
-    for(std::size_t f = begin; f < end; ++f)
-    {
-      const Face_measurement& face = m_faces[f] = m_measure_face(f, block.fineness);
-      block.area += face.area;
-      block.distance += face.area * face.mean;
-      block.coarseness += face.area * face.coarseness;
-      block.variance += square(face.area) * face.variance;
-      block.number_of_pieces += face.number_of_pieces;
-    }
-    m_blocks[b] = block;
+    ++m_levels[f];
+    double& coarseness = m_fineness[f].largest_coarseness;
+    coarseness = (std::min)(coarseness, 2 * m_faces[f].coarseness) / 4;
   }
 
-  // The blocks that are to be refined, in the order of what is gained for the time that it takes.
-  std::vector<Index> find_uncertain_blocks() const
+  // The faces that are to be refined, in the order of what is gained for the time that it takes.
+  std::vector<Index> find_coarse_faces() const
   {
     constexpr double standard_error = 1.2e-3; // of the mean
     constexpr double nearly_enough = 1.3;     // times its square, which further rounds would hardly lower
-    double variance = 0, distance = 0;
-    for(const Block& block : m_blocks)
+    constexpr double reduction = 1. / 16;     // of the variance, where pieces have a quarter of the area; often more
+    double distance = 0, variance = 0;
+    for(const Face_measurement& face : m_faces)
     {
-      variance += block.variance;
-      distance += block.distance;
+      distance += face.area * face.mean;
+      variance += variance_of_integral(face);
     }
     const double allowed = square(standard_error * distance);
     if(!(variance > nearly_enough * allowed))
       return {};
 
-    std::vector<double> expected, gains;
-    for(Index b = 0; b < m_blocks.size(); ++b)
-    {
-      expected.push_back(expected_variance(b, allowed));
-      gains.push_back(expected[b] / m_blocks[b].number_of_pieces);
-    }
-    std::vector<Index> order(m_blocks.size());
+    const std::vector<double> expected = expected_variances(allowed);
+    std::vector<double> gains(m_faces.size());
+    for(std::size_t f = 0; f < m_faces.size(); ++f)
+      gains[f] = expected[f] / m_faces[f].number_of_pieces;
+    std::vector<Index> order(m_faces.size());
     std::iota(order.begin(), order.end(), Index(0));
     std::sort(order.begin(), order.end(),
-              [&](Index a, Index b) { return gains[a] > gains[b] || (gains[a] == gains[b] && a < b); });
-    // near the end, a few blocks may have all of it, unnoticed by the others: at most half of the blocks in a round
-    const bool is_far = variance > square(3) * allowed;
-    const auto last = is_far ? order.end() : order.begin() + (order.size() + 1) / 2;
+              [&](Index f, Index g) { return gains[f] > gains[g] || (gains[f] == gains[g] && f < g); });
+    // until it is enough, or most is what remains of the faces refined, which takes another round
     auto end = order.begin();
-    for(double remaining = variance; end != last && remaining > allowed; ++end)
-      remaining -= (1 - reduction) * expected[*end];
+    double remaining = 0, others = variance;
+    for(; end != order.end() && others + remaining > allowed && others > remaining; ++end)
+    {
+      remaining += reduction * expected[*end];
+      others -= expected[*end];
+    }
     order.erase(end, order.end());
     return order;
   }
 
-  // The variance of a block, estimated from those before and after it. A choice by its own samples would be biased: blocks
-  // that seem accurate by chance would stay coarse, and make the mean too small. Only a few blocks with a large part of the
-  // total variance allowed are judged by their own samples.
-  double expected_variance(const Index b, const double allowed) const
+  // The variances of the integrals over the faces, estimated from their roughness. A choice by the samples that tell the
+  // variance would be biased: faces that seem accurate by chance would stay coarse, and make the mean too small. Samples say
+  // what the faces that were refined equally often have together; only those with a large part of the variance that is
+  // allowed are judged by their own.
+  std::vector<double> expected_variances(const double allowed) const
   {
-    constexpr Index reach = 2;
-    constexpr double good_part = 1. / 4;
-    const double own = m_blocks[b].variance;
-    double sum = 0;
-    Index count = 0;
-    for(Index other = b - (std::min)(b, reach); other < m_blocks.size() && other <= b + reach; ++other)
-      if(other != b)
+    constexpr double large_part = 1. / 4;
+    constexpr double spread = 0.2; // evenly over the area, as some faces are rougher than they seem
+    struct Class
+    {
+      double variance = 0, roughness = 0, squared_area = 0;
+    };
+    std::array<Class, most_rounds + 1> classes;
+    std::vector<double> expected(m_faces.size(), 0);
+    for(std::size_t f = 0; f < m_faces.size(); ++f)
+    {
+      const double variance = variance_of_integral(m_faces[f]);
+      if(variance > large_part * allowed)
       {
-        sum += m_blocks[other].variance * std::pow(reduction, m_blocks[b].level - m_blocks[other].level);
-        ++count;
+        expected[f] = variance;
+        continue;
       }
-    const double average = count > 0 ? sum / count : own;
-    return own > good_part * allowed ? (std::max)(own, average) : average;
+      Class& c = classes[class_of(f)];
+      c.variance += variance;
+      c.roughness += roughness_of_integral(m_faces[f]);
+      c.squared_area += square(m_faces[f].area);
+    }
+    for(std::size_t f = 0; f < m_faces.size(); ++f)
+    {
+      if(expected[f] > 0)
+        continue;
+      const Class& c = classes[class_of(f)];
+      const double by_area = square(m_faces[f].area) / c.squared_area;
+      const double by_roughness = c.roughness > 0 ? roughness_of_integral(m_faces[f]) / c.roughness : by_area;
+      expected[f] = c.variance * (spread * by_area + (1 - spread) * by_roughness);
+    }
+    return expected;
   }
+
+  static double roughness_of_integral(const Face_measurement& face) { return square(face.area) * face.roughness; }
+
+  std::size_t class_of(const std::size_t f) const
+  {
+    return m_faces[f].roughness > 0 || m_levels[f] > 0 ? 1 + m_levels[f] : 0;
+  }
+
+  static double variance_of_integral(const Face_measurement& face) { return square(face.area) * face.variance; }
 
   const MeasureFace& m_measure_face;
   std::vector<Face_measurement>& m_faces;
-  std::vector<Block> m_blocks;
+  std::vector<Fineness> m_fineness;
+  std::vector<unsigned char> m_levels;
 };
 
 } // namespace CGAL::Polygon_mesh_processing::internal::vertex_location

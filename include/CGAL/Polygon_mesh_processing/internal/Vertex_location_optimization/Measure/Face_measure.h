@@ -27,6 +27,7 @@ namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 // The result of measuring a face.
 struct Face_measurement : Face_error // whose maximum is that of the samples that are exact
 {
+  double roughness = 0;        // of the distance; its square is to the variance as in other faces, whatever the samples say
   double variance = 0;         // of the mean, as a few samples say
   double coarseness = 0;       // the mean over the face of the area of a piece relative to the details there
   double sampled_maximum = 0;  // of all samples, of which some may be too large
@@ -46,34 +47,17 @@ public:
     : m_reference(reference), m_normal(normalized(area_normal)), m_area(norm(area_normal) / 2)
   {}
 
-  // the sample at p, which is near another one
+  // The sample at p, which is near another one: walks to the closest point from that, unless another sheet may be closer:
+  // where the distance is large, relative to the size of the face or of the patch, or the surfaces are not along each other.
   Sample operator()(const Point& p, const Sample& near) const
-  {
-    constexpr double far = 0.1; // found by trial: the mean is 0.1% too large at most
-    return take_sample(p, near, far);
-  }
-
-  // The same, less often exact: it costs less.
-  Sample estimate(const Point& p, const Sample& near) const
-  {
-    constexpr double far = 0.3;
-    return take_sample(p, near, far);
-  }
-
-  const Vector& normal() const { return m_normal; }
-  double area() const { return m_area; }
-
-private:
-  // Walks to the closest point from that of the sample nearby, unless another sheet may be closer: where the distance is
-  // large, relative to the size of the face or of the patch, or the surfaces are not along each other.
-  Sample take_sample(const Point& p, const Sample& near, const double far) const
   {
     if constexpr(!Reference::walks)
       return Sample(p, m_reference, m_reference.project(p, near.foot));
     else
     {
-      constexpr double least_cosine = 0.7;
+      constexpr double far = 0.3; // found by trial: with 0.4 means begin to be too large, by 0.01%; with 0.8 by up to 0.7%
       constexpr double enough = 2; // so much farther than that it is not tried
+      constexpr double least_cosine = 0.7;
       const auto is_far = [&](const Sample& s, double d) {
         return square(s.distance) > square(d) * (std::min)(m_area, s.patch_area);
       };
@@ -87,6 +71,10 @@ private:
     }
   }
 
+  const Vector& normal() const { return m_normal; }
+  double area() const { return m_area; }
+
+private:
   const Reference& m_reference;
   const Vector m_normal;
   const double m_area;
@@ -123,7 +111,7 @@ public:
       m_result.coarseness = coarseness_if_flat(face);
     }
     else
-      measure(Piece(corners, take_sample()), 0, 1);
+      measure(Piece(corners, m_sampler), 0, 1);
     return m_result;
   }
 
@@ -142,17 +130,11 @@ private:
     return of_flat_face * coarseness(face, 1);
   }
 
-  // takes the samples that are interpolated
-  auto take_sample() const
-  {
-    return [this](const Point& p, const Sample& near) { return m_sampler.estimate(p, near); };
-  }
-
   void measure(const Piece& piece, const int depth, const double part)
   {
     constexpr int number_of_tests = 2;
     if(is_coarse(piece, depth, part))
-      for(const Piece& child : piece.split(take_sample()))
+      for(const Piece& child : piece.split(m_sampler))
         measure(child, depth + 1, part / 4);
     else
       add(piece, part, number_of_tests);
@@ -199,6 +181,7 @@ private:
     m_result.mean += part * (interpolant.mean_of_absolute() + missed / number_of_tests);
     m_result.mean_square += part * (interpolant.mean_of_square() + missed_square / number_of_tests);
     m_result.variance += square(part / number_of_tests) * squared_deviation;
+    m_result.roughness += square(part) * interpolant.squared_bend();
     m_result.coarseness += part * coarseness(piece, part);
     m_result.max = (std::max)(m_result.max, piece.largest_exact_distance());
     m_result.sampled_maximum = (std::max)(m_result.sampled_maximum, largest);

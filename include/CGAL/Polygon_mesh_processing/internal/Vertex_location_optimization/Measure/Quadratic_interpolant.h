@@ -51,8 +51,16 @@ public:
   // what `mean_of_absolute()` is the mean of; not the absolute value where only rounding or overshooting changes the sign
   double absolute_at(const Coordinates& x) const
   {
-    const double v = value(weights_at(x.u, x.v));
-    return changes_sign() ? std::abs(v) : std::copysign(1., mean()) * v;
+    return changes_sign() ? std::abs(piecewise_linear_at(x)) : std::copysign(1., mean()) * value(weights_at(x.u, x.v));
+  }
+
+  // what it differs by from a linear function, at the midpoints: the sum of the squares
+  double squared_bend() const
+  {
+    double sum = 0;
+    for(int k = 0; k < 3; ++k)
+      sum += square(m_midpoints[k] - (m_corners[(k + 1) % 3] + m_corners[(k + 2) % 3]) / 2);
+    return sum;
   }
 
 private:
@@ -89,10 +97,9 @@ private:
   // the same in all of them, as the second derivatives are constant.
   double mean_of_absolute_pieces() const
   {
-    static const Lattice<Weights> weights = weights_on_lattice();
     Lattice<double> values;
     for(std::size_t i = 0; i < values.size(); ++i)
-      values[i] = value(weights[i]) + linear_error();
+      values[i] = value_on_lattice(i);
     double sum = 0;
     for(int i = 0; i < level; ++i)
       for(int j = 0; j < level - i; ++j)
@@ -103,6 +110,24 @@ private:
           sum += mean_of_absolute_linear(values[on_lattice(i + 1, j + 1)], a, b);
       }
     return sum / (level * level);
+  }
+
+  // the function that is linear on these triangles
+  double piecewise_linear_at(const Coordinates& x) const
+  {
+    const int i = (std::min)(static_cast<int>(level * x.u), level - 1);
+    const int j = (std::min)(static_cast<int>(level * x.v), level - 1 - i);
+    const double u = level * x.u - i, v = level * x.v - j;
+    const double a = value_on_lattice(on_lattice(i + 1, j)), b = value_on_lattice(on_lattice(i, j + 1));
+    if(u + v <= 1 || i + j + 1 == level)
+      return (1 - u - v) * value_on_lattice(on_lattice(i, j)) + u * a + v * b;
+    return (u + v - 1) * value_on_lattice(on_lattice(i + 1, j + 1)) + (1 - v) * a + (1 - u) * b;
+  }
+
+  double value_on_lattice(const std::size_t i) const
+  {
+    static const Lattice<Weights> weights = weights_on_lattice();
+    return value(weights[i]) + linear_error();
   }
 
   double linear_error() const { return (mean() - (m_corners[0] + m_corners[1] + m_corners[2]) / 3) / (level * level); }

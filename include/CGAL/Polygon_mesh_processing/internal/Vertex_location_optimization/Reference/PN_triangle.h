@@ -176,16 +176,17 @@ private:
   bool minimize_distance(const Point& query, Coordinates x, Coordinates& foot, double& squared_distance_bound) const
   {
     constexpr int max_iterations = 20;
-    constexpr double precision = 1e-6; // convergence is quadratic: this step leaves an error of some 1e-12
+    constexpr double precision = 1e-4; // convergence is quadratic: this step leaves an error of some 1e-8
     Derivatives s = evaluate(x);
     double distance = squared_distance(query, s.point);
     for(int iteration = 0; iteration < max_iterations; ++iteration)
     {
-      Coordinates step = newton_step(s, query, x);
+      auto [step, change] = newton_step(s, query, x);
       if(std::abs(step.u) + std::abs(step.v) < precision)
       {
-        // too short for the distance to matter
+        // so short that the model suffices
         x = { x.u + step.u, x.v + step.v };
+        distance = (std::max)(0., distance + change);
         break;
       }
 
@@ -215,8 +216,14 @@ private:
     return true;
   }
 
+  struct Newton_step
+  {
+    Coordinates step;
+    double change; // of the squared distance, by its quadratic model
+  };
+
   // The step from `x` to the minimum of the quadratic model of the squared distance over the triangle of coordinates.
-  static Coordinates newton_step(const Derivatives& s, const Point& query, const Coordinates& x)
+  static Newton_step newton_step(const Derivatives& s, const Point& query, const Coordinates& x)
   {
     const Vector d = s.point - query;
     const double g_u = d * s.du, g_v = d * s.dv;
@@ -236,25 +243,21 @@ private:
       const Coordinates step{ (h_uv * g_v - h_vv * g_u) / det, (h_uv * g_u - h_uu * g_v) / det };
       const double u = x.u + step.u, v = x.v + step.v;
       if(u >= 0 && v >= 0 && u + v <= 1)
-        return step;
+        return { step, g_u * step.u + g_v * step.v };
     }
 
     // the minimum is on the boundary: the best of the three sides
-    Coordinates best{ 0, 0 };
-    double best_value = 0;
+    Newton_step best{ { 0, 0 }, 0 };
     auto try_side = [&](const Coordinates& a, const Coordinates& b) {
       const double e_u = b.u - a.u, e_v = b.v - a.v, a_u = a.u - x.u, a_v = a.v - x.v;
       const double curvature = h_uu * e_u * e_u + 2 * h_uv * e_u * e_v + h_vv * e_v * e_v;
       const double slope = g_u * e_u + g_v * e_v + h_uu * a_u * e_u + h_uv * (a_u * e_v + a_v * e_u) + h_vv * a_v * e_v;
       const double t = curvature > 0 ? (std::min)(1., (std::max)(0., -slope / curvature)) : 0.;
       const Coordinates step{ a_u + t * e_u, a_v + t * e_v };
-      const double value =
-        g_u * step.u + g_v * step.v + (h_uu * step.u * step.u + 2 * h_uv * step.u * step.v + h_vv * step.v * step.v) / 2;
-      if(value < best_value)
-      {
-        best_value = value;
-        best = step;
-      }
+      const double change = 2 * (g_u * step.u + g_v * step.v) + h_uu * step.u * step.u + 2 * h_uv * step.u * step.v +
+                            h_vv * step.v * step.v;
+      if(change < best.change)
+        best = { step, change };
     };
     try_side({ 0, 0 }, { 1, 0 });
     try_side({ 0, 0 }, { 0, 1 });

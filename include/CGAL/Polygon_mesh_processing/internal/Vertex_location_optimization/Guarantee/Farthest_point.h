@@ -174,8 +174,8 @@ private:
   Sample sample(const Triangle& t, const Coordinates& x, const Foot& hint, const double near) const
   {
     const Point p = point_at(t, x);
-    const Foot foot = walk_or_search(m_reference, p, hint, near);
-    return { x, p, foot, Tangent_plane<Reference>(m_reference, foot), distance_to_foot(p, m_reference, foot) };
+    const auto [foot, signed_distance] = walk_or_search(m_reference, p, hint, near);
+    return { x, p, foot, Tangent_plane<Reference>(m_reference, foot), std::abs(signed_distance) };
   }
 
   // The four triangles between the corners of a part and the midpoints of its sides, which are sampled. Distances above

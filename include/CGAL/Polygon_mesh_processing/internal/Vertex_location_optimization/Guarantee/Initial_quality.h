@@ -38,6 +38,7 @@ struct Initial_quality
   std::vector<float> means;  // of that distance, on the faces
   std::vector<float> standard_errors; // of these means
   std::vector<Face_orientation> orientations;
+  Face_sampling sampling; // what the means are found with
 };
 
 // Measures M_0 in the first iteration, when it has been sampled.
@@ -48,7 +49,7 @@ Initial_quality measure_initial_quality(const Reference& reference,
                                         Initial_measure measure)
 {
   constexpr bool is_exact = true; // distances that a walk makes too large would permit a worse result
-  const Face_sampling sampling(remesh, remesh.points);
+  Face_sampling sampling(remesh, remesh.points);
   const auto feet_of = [&](std::size_t f) {
     return feet_of_face<typename Reference::Foot>(remesh, f, samples.vertices, samples.midpoints);
   };
@@ -65,9 +66,11 @@ Initial_quality measure_initial_quality(const Reference& reference,
     return Error_integral{ area, area * d.mean, area * d.mean_square, sampled_maximum(f) };
   });
 
-  Initial_quality quality{ integral.error(), std::move(means), std::move(standard_errors), std::move(measure.orientations) };
+  Initial_quality quality{ integral.error(), std::move(means), std::move(standard_errors), std::move(measure.orientations),
+                           std::move(sampling) };
   quality.error.max = largest_distance(remesh, sampled_maximum, [&](std::size_t f, double bound) {
-    return largest_distance_on_face(reference, sampling, f, remesh.triangle(f), feet_of(f), sampled_maximum(f), bound);
+    return largest_distance_on_face(reference, quality.sampling, f, remesh.triangle(f), feet_of(f), sampled_maximum(f),
+                                    bound);
   });
   return quality;
 }

@@ -55,12 +55,12 @@ class Result_distances
       samples.offsets = {};
     }
 
-    // for query k, which goes from `from` to `to`; the edges there have this length
+    // for query k, of which the distance becomes a signed one, and which goes from `from` to `to`; the edges there have this length
     void measure(std::size_t k, const Reference& reference, const Point& from, const Point& to, double length)
     {
-      const double near = near_by(distances[k] + norm(to - from) / 2, length);
-      const Foot foot = walk_or_search(reference, to, hints[k], near);
-      distances[k] = distance_to_foot(to, reference, foot);
+      const double near = near_by(std::abs(distances[k]) + norm(to - from) / 2, length);
+      const auto [foot, signed_distance] = walk_or_search(reference, to, hints[k], near);
+      distances[k] = signed_distance;
       hints[k] = foot;
     }
 
@@ -83,9 +83,8 @@ public:
                    const Remesh& remesh,
                    const Initial_quality& initial,
                    Remesh_sample_offsets<Hint> samples)
-    : m_reference(reference), m_remesh(remesh), m_initial(initial), m_sampling(remesh, remesh.initial_points),
-      m_vertices(samples.vertices), m_midpoints(samples.midpoints), m_points(remesh.points),
-      m_faces(remesh.number_of_faces())
+    : m_reference(reference), m_remesh(remesh), m_initial(initial), m_vertices(samples.vertices),
+      m_midpoints(samples.midpoints), m_points(remesh.points), m_faces(remesh.number_of_faces())
   {}
 
   // Measures the next points.
@@ -208,8 +207,8 @@ private:
   double largest_on_face(
     std::size_t f, const std::vector<Point>& points, double sampled_maximum, double bound, bool is_any_enough) const
   {
-    return largest_distance_on_face(m_reference, m_sampling, f, m_remesh.triangle(f, points), feet(f), sampled_maximum,
-                                    bound, is_any_enough);
+    return largest_distance_on_face(m_reference, m_initial.sampling, f, m_remesh.triangle(f, points), feet(f),
+                                    sampled_maximum, bound, is_any_enough);
   }
 
   Face_feet<Foot> feet(std::size_t f) const { return feet_of_face<Foot>(m_remesh, f, m_vertices, m_midpoints); }
@@ -240,7 +239,7 @@ private:
   void measure_face(std::size_t f)
   {
     const std::array<Point, 3> t = m_remesh.triangle(f, m_remesh.next_points);
-    const Face_distances d = m_sampling.measure(m_reference, f, t, feet(f), on_sides(f));
+    const Face_distances d = m_initial.sampling.measure(m_reference, f, t, feet(f), on_sides(f));
     const Point p = point_at(t, barycenter_coordinates);
     const Foot foot = m_reference.project(p, barycenter_hint(f));
     const double at_barycenter = distance_to_foot(p, m_reference, foot);
@@ -259,7 +258,6 @@ private:
   const Reference& m_reference;
   const Remesh& m_remesh;
   const Initial_quality& m_initial;
-  const Face_sampling m_sampling;
   Samples m_vertices, m_midpoints;
   std::vector<Point> m_points; // of the vertices, for which the samples were taken
   std::vector<Face> m_faces;

@@ -47,8 +47,7 @@ double largest_distance_on_face(const Reference& reference,
     return found;
   const Point barycenter = point_at(t, barycenter_coordinates);
   const double at_barycenter = distance_to_foot(barycenter, reference, reference.project(barycenter, feet.of_midpoints[0]));
-  constexpr bool is_exact = true;
-  return (std::max)({ found, at_barycenter, sampling.measure(reference, f, t, feet, Distances_on_sides(), is_exact).max });
+  return (std::max)({ found, at_barycenter, sampling.largest_distance(reference, f, t, feet) });
 }
 
 // The largest distance of the faces with the largest samples. `largest_on_face(f, bound)` is that of face f, or `bound`.

@@ -15,26 +15,42 @@
 
 #include <CGAL/license/Vertex_location_optimization.h>
 
+#include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Reference/Reference_access.h>
 #include <CGAL/Polygon_mesh_processing/internal/Vertex_location_optimization/Support/geometry.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
+
+// A closest point, and how far away it is, see `signed_distance_to_foot()`.
+template <typename Foot>
+struct Foot_at_distance
+{
+  Foot foot;
+  double signed_distance;
+};
 
 // The closest point: by walking if the result is certain, that is, not farther away than `near` and with a normal that
 // points to p; otherwise by a search.
 template <typename Reference>
-typename Reference::Foot
+Foot_at_distance<typename Reference::Foot>
 walk_or_search(const Reference& reference, const Point& p, const typename Reference::Foot& hint, const double near)
 {
   constexpr double cosine = 0.9; // at least, of the angle to the normal
+  const auto search = [&](const typename Reference::Foot& nearby) -> Foot_at_distance<typename Reference::Foot> {
+    const auto foot = reference.project(p, nearby);
+    return { foot, signed_distance_to_foot(p, reference, foot) };
+  };
   if(!Reference::walks)
-    return reference.project(p, hint);
+    return search(hint);
   const auto foot = reference.project_locally(p, hint);
   const Vector offset = p - reference.point(foot);
-  const double distance2 = offset.squared_length();
-  const bool is_sure = distance2 <= square(near) && square(offset * reference.normal(foot)) >= square(cosine) * distance2;
-  return is_sure ? foot : reference.project(p, foot);
+  const double distance2 = offset.squared_length(), height = offset * reference.normal(foot);
+  const bool is_sure = distance2 <= square(near) && square(height) >= square(cosine) * distance2;
+  if(!is_sure)
+    return search(foot);
+  return { foot, std::copysign(std::sqrt(distance2), height) };
 }
 
 // How far away a closest point may be that walking leads to, near to points with these distances on a face of this size.

@@ -19,7 +19,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
@@ -33,14 +35,29 @@ struct Cubic_quadrature
   static double of_barycenter(double x) { return x * 9 / 20; }
 };
 
-// The distances of a face to the reference at its corners and at the midpoints of the sides opposite to them.
+// The signed distances of a face to the reference at its corners and at the midpoints of the sides opposite to them.
 struct Distances_on_sides
 {
-  double maximum() const
+  // the least and the largest
+  std::pair<double, double> range() const
   {
-    double result = 0;
-    for(int k = 0; k < 3; ++k)
-      result = (std::max)({ result, at_corners[k], at_midpoints[k] });
+    const auto [c, d] = std::minmax_element(at_corners.begin(), at_corners.end());
+    const auto [m, n] = std::minmax_element(at_midpoints.begin(), at_midpoints.end());
+    return { (std::min)(*c, *m), (std::max)(*d, *n) };
+  }
+
+  double maximum() const // of the absolute values
+  {
+    const auto [least, largest] = range();
+    return (std::max)(-least, largest);
+  }
+
+  Distances_on_sides without_signs() const
+  {
+    Distances_on_sides result;
+    const auto absolute = [](double d) { return std::abs(d); };
+    std::transform(at_corners.begin(), at_corners.end(), result.at_corners.begin(), absolute);
+    std::transform(at_midpoints.begin(), at_midpoints.end(), result.at_midpoints.begin(), absolute);
     return result;
   }
 
@@ -62,7 +79,7 @@ inline Distances_on_sides distances_on_sides(const Mesh_arrays& mesh,
   return result;
 }
 
-// The distances of a mesh to the reference.
+// The distances of a mesh to the reference, signed at the vertices and midpoints.
 struct Distance_samples
 {
   explicit Distance_samples(const Mesh_arrays& mesh)

@@ -55,7 +55,7 @@ public:
       return Sample(p, m_reference, m_reference.project(p, near.foot));
     else
     {
-      constexpr double far = 0.3; // found by trial: with 0.4 means begin to be too large, by 0.01%; with 0.8 by up to 0.7%
+      constexpr double far = 0.3;  // found by trial: with 0.4 means begin to be too large, by 0.01%; with 0.8 by up to 0.7%
       constexpr double enough = 2; // so much farther than that it is not tried
       constexpr double least_cosine = 0.7;
       const auto is_far = [&](const Sample& s, double d) {
@@ -170,7 +170,7 @@ private:
       const Sample sample = m_sampler(p, near);
       const double interpolated = interpolant.absolute_at(x), difference = sample.distance - interpolated;
       missed += difference;
-      missed_square += square(sample.distance) - square(interpolated);
+      missed_square += square(sample.distance) - interpolant.square_at(x);
       squared_deviation += square(difference);
       largest = (std::max)(largest, sample.distance);
       if(sample.is_exact)

@@ -51,8 +51,10 @@ public:
   // what `mean_of_absolute()` is the mean of; not the absolute value where only rounding or overshooting changes the sign
   double absolute_at(const Coordinates& x) const
   {
-    return changes_sign() ? std::abs(piecewise_linear_at(x)) : std::copysign(1., mean()) * value(weights_at(x.u, x.v));
+    return changes_sign() ? std::abs(piecewise_linear_at(x)) : std::copysign(1., mean()) * value_at(x);
   }
+
+  double square_at(const Coordinates& x) const { return square(value_at(x)); }
 
   // what it differs by from a linear function, at the midpoints: the sum of the squares
   double squared_bend() const
@@ -80,6 +82,8 @@ private:
     constexpr double rounding = 1e-9; // at vertices on the reference
     return least < -rounding * largest && largest > -rounding * least;
   }
+
+  double value_at(const Coordinates& x) const { return value(weights_at(x.u, x.v)); }
 
   double value(const Weights& w) const
   {

@@ -81,13 +81,15 @@ public:
     return in_first_patch(foot);
   }
 
-  // The same, but the walk leaves a patch from its inside, too: beyond a concave edge the next patch may be closer.
+  // The same, but the walk leaves a patch from its inside, too: beyond a concave edge the next patch may be closer. From a
+  // corner it goes on in any patch there: along a boundary, the next one may have no side in common with the last.
   Foot project_among_neighbors(const Point& query, const Foot& hint) const
   {
     double distance2;
     Foot foot = foot_in_approached(query, hint.patch, distance2);
     const auto step_to_closer = [&] {
-      return step_to_neighbor(query, foot, distance2) || step_across_sides(query, foot, distance2);
+      return step_to_neighbor(query, foot, distance2) || step_across_sides(query, foot, distance2) ||
+             (is_at_corner(foot) && step_around(query, foot, distance2, Can_cross_all()));
     };
     walk(step_to_closer, foot, distance2);
     return in_first_patch(foot);
@@ -100,17 +102,7 @@ public:
   {
     double distance2;
     Foot foot = foot_in_approached(query, hint.patch, distance2, can_cross);
-    const auto step = [&](Foot other) {
-      if(other.patch == foot.patch || !m_tree.patch(other.patch).improve_foot_from(query, other.coordinates, distance2))
-        return false;
-      foot = other;
-      return true;
-    };
-    const auto step_around = [&] {
-      const Feet feet = feet_at(foot, can_cross);
-      return std::any_of(feet.begin(), feet.end(), step);
-    };
-    walk(step_around, foot, distance2);
+    walk([&] { return step_around(query, foot, distance2, can_cross); }, foot, distance2);
     return foot;
   }
 
@@ -236,6 +228,26 @@ private:
       }
     }
     return false;
+  }
+
+  // The same to any patch that has the foot.
+  template <typename CanCross>
+  bool step_around(const Point& query, Foot& foot, double& squared_distance, const CanCross& can_cross) const
+  {
+    for(Foot other : feet_at(foot, can_cross))
+      if(other.patch != foot.patch &&
+         m_tree.patch(other.patch).improve_foot_from(query, other.coordinates, squared_distance))
+      {
+        foot = other;
+        return true;
+      }
+    return false;
+  }
+
+  static bool is_at_corner(const Foot& foot)
+  {
+    const std::array<double, 3> lambda = foot.coordinates.barycentric();
+    return *std::max_element(lambda.begin(), lambda.end()) >= 1 - boundary_tolerance;
   }
 
   // The same from anywhere in the patch. Points beyond a side that is farther away than the query are farther away, too,

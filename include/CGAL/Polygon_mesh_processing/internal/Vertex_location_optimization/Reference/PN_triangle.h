@@ -254,8 +254,8 @@ private:
       const double slope = g_u * e_u + g_v * e_v + h_uu * a_u * e_u + h_uv * (a_u * e_v + a_v * e_u) + h_vv * a_v * e_v;
       const double t = curvature > 0 ? (std::min)(1., (std::max)(0., -slope / curvature)) : 0.;
       const Coordinates step{ a_u + t * e_u, a_v + t * e_v };
-      const double change = 2 * (g_u * step.u + g_v * step.v) + h_uu * step.u * step.u + 2 * h_uv * step.u * step.v +
-                            h_vv * step.v * step.v;
+      const double change =
+        2 * (g_u * step.u + g_v * step.v) + h_uu * step.u * step.u + 2 * h_uv * step.u * step.v + h_vv * step.v * step.v;
       if(change < best.change)
         best = { step, change };
     };

@@ -123,6 +123,17 @@ double distance_to_foot(const Point& p, const Reference& reference, const typena
   return norm(p - reference.point(foot));
 }
 
+// The same, negative on the inner side of the reference. Where the direction to the foot is nearly along the surface, as
+// beyond a boundary, only rounding would say on which side it is, and it is positive.
+template <typename Reference>
+double signed_distance_to_foot(const Point& p, const Reference& reference, const typename Reference::Foot& foot)
+{
+  constexpr double least_cosine = 0.3;
+  const Vector offset = p - reference.point(foot);
+  const double distance = norm(offset);
+  return offset * reference.normal(foot) < -least_cosine * distance ? -distance : distance;
+}
+
 } // namespace CGAL::Polygon_mesh_processing::internal::vertex_location
 
 #endif // CGAL_PMP_INTERNAL_VERTEX_LOCATION_OPTIMIZATION_REFERENCE_ACCESS_H

@@ -73,13 +73,10 @@ public:
     Initial_measure measure{ Distance_samples(remesh), std::vector<Face_orientation>(remesh.number_of_faces()) };
     for_each_element<ConcurrencyTag>(
       remesh,
-      [&](std::size_t i) {
-        vertices.project(i, reference, remesh.points[i]);
-        measure.distances.at_vertices[i] = norm(vertices.offset(i));
-      },
+      [&](std::size_t i) { measure.distances.at_vertices[i] = take_first(vertices, i, reference, remesh.points[i]); },
       [&](std::size_t e) {
-        midpoints.project(e, reference, remesh.midpoint(e), vertices.hint(remesh.edges[e][0]));
-        measure.distances.at_midpoints[e] = norm(midpoints.offset(e));
+        measure.distances.at_midpoints[e] =
+          take_first(midpoints, e, reference, remesh.midpoint(e), vertices.hint(remesh.edges[e][0]));
       },
       [&](std::size_t f) {
         const Point query = remesh.barycenter(f);
@@ -135,6 +132,16 @@ public:
   Samples barycenters; // empty if the placement takes none
 
 private:
+  // takes sample k of a query, and returns the signed distance; `hint` is the foot of a point nearby
+  template <typename... Hints>
+  static double
+  take_first(Samples& samples, std::size_t k, const Reference& reference, const Point& query, const Hints&... hint)
+  {
+    const auto foot = reference.project(query, hint...);
+    samples.set_foot(k, reference, query, foot);
+    return signed_distance_to_foot(query, reference, foot);
+  }
+
   // Updates samples at queries `query_at(k)`, which are the means of the vertices `vertices_at(k)` and move as these do on
   // an average.
   template <typename ConcurrencyTag, typename VerticesAt, typename QueryAt>

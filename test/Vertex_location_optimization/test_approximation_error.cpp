@@ -103,6 +103,49 @@ void test_inscribed_sphere()
   }
 }
 
+// the mean over a mesh of f(x, n), where n is the normal of the face
+template <typename F>
+double mean_over_faces(const Mesh& mesh, const F& f)
+{
+  constexpr int level = 60;
+  double sum = 0, sum_of_areas = 0;
+  for(Mesh::Face_index face : mesh.faces())
+  {
+    std::vector<Point> t;
+    for(Mesh::Vertex_index v : vertices_around_face(mesh.halfedge(face), mesh))
+      t.push_back(mesh.point(v));
+    const Vector normal = CGAL::unit_normal(t[0], t[1], t[2]);
+    double sum_over_face = 0;
+    for(int i = 0; i < level; ++i)
+      for(int j = 0; j < level - i; ++j)
+        for(const double offset : { 1 / 3., 2 / 3. })
+          if(offset < 0.5 || i + j + 1 < level)
+            sum_over_face += f(t[0] + ((i + offset) / level * (t[1] - t[0]) + (j + offset) / level * (t[2] - t[0])), normal);
+    sum += area(mesh, face) * sum_over_face / (level * level);
+    sum_of_areas += area(mesh, face);
+  }
+  return sum / sum_of_areas;
+}
+
+void test_crossing_surfaces()
+{
+  start_topic("meshes that cross a sphere everywhere, and the normals of their faces");
+  const Mesh sphere = make_mesh(icosphere(5)); // its PN triangles differ from the sphere by 1e-6
+  for(const double radius : { 1.0015, 1.0025, 1.0035 })
+  {
+    const Mesh mesh = moved(icosphere(3), [&](const Point& p) { return CGAL::ORIGIN + radius * (p - CGAL::ORIGIN); });
+    const auto distance = [](const Point& x, const Vector&) {
+      return std::abs(std::sqrt((x - CGAL::ORIGIN).squared_length()) - 1);
+    };
+    const auto angle = [](const Point& x, const Vector& normal) {
+      return std::acos(normal * (x - CGAL::ORIGIN) / std::sqrt((x - CGAL::ORIGIN).squared_length())) * 180 / CGAL_PI;
+    };
+    const double mean = mean_over_faces(mesh, distance), mean_angle = mean_over_faces(mesh, angle);
+    CHECK_NEAR(PMP::approximation_error(mesh, sphere).mean, mean, 0.002 * mean);
+    CHECK_NEAR(PMP::normal_deviation(mesh, Exact_sphere()), mean_angle, 0.002 * mean_angle);
+  }
+}
+
 void test_number_of_points()
 {
   start_topic("the number of points per face");
@@ -300,6 +343,7 @@ int main()
   test_parallel_planes();
   test_translation();
   test_inscribed_sphere();
+  test_crossing_surfaces();
   test_number_of_points();
   test_error_maps();
   test_threads();

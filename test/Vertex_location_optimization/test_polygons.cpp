@@ -98,8 +98,8 @@ void test_errors()
       mean += area_of_fans * error.mean;
       square += area_of_fans * error.rms * error.rms;
       max = (std::max)(max, error.max);
-      normal += area_of_fans * PMP::normal_deviation(fans, sphere, normals(fans));
-      face_normal += area_of_fans * PMP::normal_deviation(fans, sphere);
+      normal += area_of_fans * PMP::normal_deviation(fans, sphere, normals(fans), evenly);
+      face_normal += area_of_fans * PMP::normal_deviation(fans, sphere, evenly);
     }
     Mesh polygons = mesh;
     const auto face_errors = polygons.add_property_map<Face, double>("f:error", -1).first;
@@ -115,9 +115,14 @@ void test_errors()
     CHECK_NEAR(by_default.mean, truth.mean, precision * truth.mean);
     CHECK_NEAR(by_default.rms, truth.rms, precision * truth.rms);
     CHECK_NEAR(by_default.max, max, precision * max);
-    CHECK_NEAR(PMP::normal_deviation(polygons, sphere, normals(polygons)), normal / area, 1e-9);
+    CHECK_NEAR(PMP::normal_deviation(polygons, sphere, normals(polygons), evenly), normal / area, 1e-9);
+    CHECK_NEAR(PMP::normal_deviation(polygons, sphere, normals(polygons)), normal / area, precision * normal / area);
     if(degree == 5) // planar faces, whose triangles have their normals
-      CHECK_NEAR(PMP::normal_deviation(polygons, sphere), face_normal / area, 1e-9);
+    {
+      CHECK_NEAR(PMP::normal_deviation(polygons, sphere, evenly), face_normal / area, 1e-9);
+      const double dense = PMP::normal_deviation(polygons, sphere, params::number_of_points_per_face(10000));
+      CHECK_NEAR(PMP::normal_deviation(polygons, sphere), dense, precision * dense);
+    }
 
     // the corners have the errors of their faces
     const auto [min, largest] = std::minmax_element(face_errors.begin(), face_errors.end());

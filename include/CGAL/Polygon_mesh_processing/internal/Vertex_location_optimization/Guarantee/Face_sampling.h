@@ -162,18 +162,7 @@ private:
   template <typename F>
   void for_each_point(const std::size_t face, const F& f) const
   {
-    const int s = m_sides[face];
-    std::size_t number = face * s * s; // so that the points of the faces differ
-    for(int i = 0; i < s; ++i)
-      for(int j = 0; j < s - i; ++j)
-      {
-        const Coordinates x = low_discrepancy_coordinates(number++);
-        f(Coordinates{ (i + x.u) / s, (j + x.v) / s });
-        if(i + j + 1 == s)
-          continue;
-        const Coordinates y = low_discrepancy_coordinates(number++);
-        f(Coordinates{ (i + 1 - y.u) / s, (j + 1 - y.v) / s });
-      }
+    for_each_stratified_sample(m_sides[face], face, f);
   }
 
   template <typename Foot>

@@ -79,7 +79,7 @@ public:
     constexpr double first_step = 1. / 8; // relative to the sides of the face
     constexpr double precision = 0.001;   // of the result
     constexpr int most_rounds = 40;       // it bounds the time
-    const std::array<Point, 3> face{ corners[0].point, corners[1].point, corners[2].point };
+    const std::array<Point, 3> face = Piece(corners).triangle();
     Coordinates x = closest_on_triangle(face, best.point);
     double step = first_step;
     for(int round = 0; round < most_rounds; ++round)
@@ -210,11 +210,13 @@ private:
   Found search_face(const Index f, const Effort& effort) const
   {
     constexpr std::size_t pieces_per_cut = 4;
+    constexpr double rounding = 1e-11; // relative to the size of the face; climbing would make the most of it
     const Farthest farthest(m_reference, m_normal_of(f));
     const auto corners = m_corners_of(f);
     const auto [best, number_of_cuts] =
       farthest(corners, m_known, effort.cuts_per_face + m_faces[f].number_of_pieces / pieces_per_cut);
-    return { effort.climbs ? farthest.climb(corners, best) : best.distance, number_of_cuts };
+    const bool climbs = effort.climbs && best.distance > rounding * Face_piece<Reference>(corners).largest_rise();
+    return { climbs ? farthest.climb(corners, best) : best.distance, number_of_cuts };
   }
 
   // the faces with the largest keys, ties by index, among those that may have more than is known

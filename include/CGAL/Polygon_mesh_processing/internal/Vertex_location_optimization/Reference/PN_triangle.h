@@ -176,17 +176,21 @@ private:
   bool minimize_distance(const Point& query, Coordinates x, Coordinates& foot, double& squared_distance_bound) const
   {
     constexpr int max_iterations = 20;
-    constexpr double precision = 1e-4; // convergence is quadratic: this step leaves an error of some 1e-8
+    // Convergence is quadratic: steps leave an error of some 1e-8 and 1e-12. The first suffices far away from the patch.
+    constexpr double precision_far_away = 1e-4, precision = 1e-6;
+    constexpr double far = 1000; // relative to that error
     Derivatives s = evaluate(x);
     double distance = squared_distance(query, s.point);
     for(int iteration = 0; iteration < max_iterations; ++iteration)
     {
       auto [step, change] = newton_step(s, query, x);
-      if(std::abs(step.u) + std::abs(step.v) < precision)
+      const double length = std::abs(step.u) + std::abs(step.v);
+      const bool is_far_away = square(far * length * length) * (s.du.squared_length() + s.dv.squared_length()) < distance;
+      if(length < (is_far_away ? precision_far_away : precision))
       {
-        // so short that the model suffices
         x = { x.u + step.u, x.v + step.v };
-        distance = (std::max)(0., distance + change);
+        if(is_far_away) // else the step is too short for the distance to matter
+          distance = (std::max)(0., distance + change);
         break;
       }
 

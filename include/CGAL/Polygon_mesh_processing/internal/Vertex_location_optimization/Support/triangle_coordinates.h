@@ -69,6 +69,24 @@ inline Coordinates low_discrepancy_coordinates(const std::size_t number)
   return u + v > 1 ? Coordinates{ 1 - u, 1 - v } : Coordinates{ u, v };
 }
 
+// Calls f(x) for a point of each of the s * s triangles that the sides of a triangle, cut into s pieces, make. The points are
+// spread as at random, so that a mean over them is unbiased; faces whose `number` differs have different ones.
+template <typename F>
+void for_each_stratified_sample(const std::size_t s, const std::size_t number, const F& f)
+{
+  std::size_t number_of_point = number * s * s;
+  for(std::size_t i = 0; i < s; ++i)
+    for(std::size_t j = 0; j < s - i; ++j)
+    {
+      const Coordinates x = low_discrepancy_coordinates(number_of_point++);
+      f(Coordinates{ (i + x.u) / s, (j + x.v) / s });
+      if(i + j + 1 == s)
+        continue;
+      const Coordinates y = low_discrepancy_coordinates(number_of_point++);
+      f(Coordinates{ (i + 1 - y.u) / s, (j + 1 - y.v) / s });
+    }
+}
+
 // Coordinate along [0, 1] of the point of the segment pq that is closest to x.
 inline double closest_on_segment(const Point& p, const Point& q, const Point& x)
 {

@@ -319,6 +319,18 @@ void test_degenerate_input()
   CHECK_EQUAL(PMP::normal_deviation(needle, plane), 0.);
   CHECK_NEAR(PMP::approximation_error(plane, needle).max, 3., 2.);
 
+  // a face without an area among others, which are refined, makes no difference
+  const Soup sphere = icosphere(3);
+  Soup with_needle = sphere;
+  with_needle.points.insert(with_needle.points.end(), { Point(0, 0, 1), Point(0.1, 0, 1), Point(0.2, 0, 1) });
+  const std::size_t n = sphere.points.size();
+  with_needle.triangles.push_back({ n, n + 1, n + 2 });
+  const Mesh rough = moved(icosphere(5), [](const Point& p) {
+    return CGAL::ORIGIN + (1 + 0.03 * std::sin(20 * p.x()) * std::cos(17 * p.y() + p.z())) * (p - CGAL::ORIGIN);
+  });
+  const double mean = PMP::approximation_error(make_mesh(sphere), rough).mean;
+  CHECK_NEAR(PMP::approximation_error(make_mesh(with_needle), rough).mean, mean, 1e-12 * mean);
+
   // coordinates so large that areas overflow
   const Mesh huge = moved(planar_patch(2), [](const Point& p) { return Point(1e200 * p.x(), 1e200 * p.y(), 1); });
   const PMP::Approximation_error h = PMP::approximation_error(huge, plane);

@@ -49,7 +49,7 @@ Initial_quality measure_initial_quality(const Reference& reference,
                                         Initial_measure measure)
 {
   constexpr bool is_exact = true; // distances that a walk makes too large would permit a worse result
-  Face_sampling sampling(remesh, remesh.points);
+  Face_sampling sampling(remesh);
   const auto feet_of = [&](std::size_t f) {
     return feet_of_face<typename Reference::Foot>(remesh, f, samples.vertices, samples.midpoints);
   };

@@ -55,7 +55,7 @@ class Result_distances
       samples.offsets = {};
     }
 
-    // for query k, of which the distance becomes a signed one, and which goes from `from` to `to`; the edges there have this length
+    // Measures query k, which goes from `from` to `to`; the edges there have this length. Its distance gets a sign.
     void measure(std::size_t k, const Reference& reference, const Point& from, const Point& to, double length)
     {
       const double near = near_by(std::abs(distances[k]) + norm(to - from) / 2, length);

@@ -31,8 +31,8 @@ struct Foot_at_distance
   double signed_distance;
 };
 
-// The closest point: by walking if the result is certain, that is, not farther away than `near` and with a normal that
-// points to p; otherwise by a search.
+// The closest point: by walking if the result is certain, that is, not farther away than `near` and with p nearly along its
+// normal; otherwise by a search.
 template <typename Reference>
 Foot_at_distance<typename Reference::Foot>
 walk_or_search(const Reference& reference, const Point& p, const typename Reference::Foot& hint, const double near)

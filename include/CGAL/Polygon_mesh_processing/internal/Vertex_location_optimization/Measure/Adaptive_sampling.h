@@ -20,7 +20,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <numeric>
 #include <vector>
@@ -71,7 +70,7 @@ private:
     return depth;
   }
 
-  // to pieces of a quarter of the area; most were not as coarse as they might have been
+  // Cuts face f to pieces of a quarter of the area; most pieces were smaller than they might have been.
   void refine(const Index f)
   {
     ++m_levels[f];
@@ -84,7 +83,7 @@ private:
   {
     constexpr double standard_error = 1.2e-3; // of the mean
     constexpr double nearly_enough = 1.3;     // times its square, which further rounds would hardly lower
-    constexpr double reduction = 1. / 16;     // of the variance, where pieces have a quarter of the area; often more
+    constexpr double reduction = 1. / 16;     // of the variance, where pieces have a quarter of the area; often less remains
     double distance = 0, variance = 0;
     for(const Face_measurement& face : m_faces)
     {
@@ -118,7 +117,7 @@ private:
   // The variances of the integrals over the faces, estimated from their roughness. A choice by the samples that tell the
   // variance would be biased: faces that seem accurate by chance would stay coarse, and make the mean too small. Samples say
   // what the faces that were refined equally often have together; only those with a large part of the variance that is
-  // allowed are judged by their own.
+  // allowed are judged by their own samples.
   std::vector<double> expected_variances(const double allowed) const
   {
     constexpr double large_part = 1. / 4;
@@ -144,9 +143,9 @@ private:
     }
     for(std::size_t f = 0; f < m_faces.size(); ++f)
     {
-      if(expected[f] > 0)
-        continue;
       const Class& c = classes[class_of(f)];
+      if(expected[f] > 0 || !(c.variance > 0)) // judged by its own samples, or of a class that is certain
+        continue;
       const double by_area = square(m_faces[f].area) / c.squared_area;
       const double by_roughness = c.roughness > 0 ? roughness_of_integral(m_faces[f]) / c.roughness : by_area;
       expected[f] = c.variance * (spread * by_area + (1 - spread) * by_roughness);
@@ -156,6 +155,7 @@ private:
 
   static double roughness_of_integral(const Face_measurement& face) { return square(face.area) * face.roughness; }
 
+  // Those that are measured as flat, without midpoints, have no roughness: a class of their own until they are refined.
   std::size_t class_of(const std::size_t f) const
   {
     return m_faces[f].roughness > 0 || m_levels[f] > 0 ? 1 + m_levels[f] : 0;

@@ -41,9 +41,7 @@ struct Distances_on_sides
   // the least and the largest
   std::pair<double, double> range() const
   {
-    const auto [c, d] = std::minmax_element(at_corners.begin(), at_corners.end());
-    const auto [m, n] = std::minmax_element(at_midpoints.begin(), at_midpoints.end());
-    return { (std::min)(*c, *m), (std::max)(*d, *n) };
+    return std::minmax({ at_corners[0], at_corners[1], at_corners[2], at_midpoints[0], at_midpoints[1], at_midpoints[2] });
   }
 
   double maximum() const // of the absolute values

@@ -27,7 +27,7 @@ namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 // The result of measuring a face.
 struct Face_measurement : Face_error // whose maximum is that of the samples that are exact
 {
-  double roughness = 0;        // of the distance; its square is to the variance as in other faces, whatever the samples say
+  double roughness = 0;        // how much the interpolated distance bends: nearly proportional to the variance
   double variance = 0;         // of the mean, as a few samples say
   double coarseness = 0;       // the mean over the face of the area of a piece relative to the details there
   double sampled_maximum = 0;  // of all samples, of which some may be too large
@@ -80,7 +80,7 @@ private:
   const double m_area;
 };
 
-// How finely faces are cut to pieces, and where the sequence of their samples begins.
+// How finely a face is cut to pieces.
 struct Fineness
 {
   double largest_coarseness; // of a piece, see `Face_measurement`

@@ -210,7 +210,7 @@ private:
   Found search_face(const Index f, const Effort& effort) const
   {
     constexpr std::size_t pieces_per_cut = 4;
-    constexpr double rounding = 1e-11; // relative to the size of the face; climbing would make the most of it
+    constexpr double rounding = 1e-11; // relative to the size of the face: climbing would only find the largest one
     const Farthest farthest(m_reference, m_normal_of(f));
     const auto corners = m_corners_of(f);
     const auto [best, number_of_cuts] =

@@ -21,6 +21,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 
@@ -29,11 +30,11 @@ class Quadratic_interpolant
 {
 public:
   Quadratic_interpolant(const std::array<double, 3>& at_corners, const std::array<double, 3>& at_midpoints)
-    : m_corners(at_corners), m_midpoints(at_midpoints)
+    : m_corners(at_corners), m_midpoints(at_midpoints), m_changes_sign(changes_sign())
   {}
 
   // the mean over the triangle of its absolute value
-  double mean_of_absolute() const { return changes_sign() ? mean_of_absolute_pieces() : std::abs(mean()); }
+  double mean_of_absolute() const { return m_changes_sign ? mean_of_absolute_pieces() : std::abs(mean()); }
 
   // the mean over the triangle of its square
   double mean_of_square() const
@@ -51,12 +52,13 @@ public:
   // what `mean_of_absolute()` is the mean of; not the absolute value where only rounding or overshooting changes the sign
   double absolute_at(const Coordinates& x) const
   {
-    return changes_sign() ? std::abs(piecewise_linear_at(x)) : std::copysign(1., mean()) * value_at(x);
+    return m_changes_sign ? std::abs(piecewise_linear_at(x)) : std::copysign(1., mean()) * value_at(x);
   }
 
   double square_at(const Coordinates& x) const { return square(value_at(x)); }
 
-  // what it differs by from a linear function, at the midpoints: the sum of the squares
+  // how much it bends: the sum of the squares of its differences, at the midpoints, from the linear function with the same
+  // values at the corners
   double squared_bend() const
   {
     double sum = 0;
@@ -116,7 +118,7 @@ private:
     return sum / (level * level);
   }
 
-  // the function that is linear on these triangles
+  // the piecewise linear function whose absolute value `mean_of_absolute_pieces()` integrates
   double piecewise_linear_at(const Coordinates& x) const
   {
     const int i = (std::min)(static_cast<int>(level * x.u), level - 1);
@@ -162,6 +164,7 @@ private:
   }
 
   std::array<double, 3> m_corners, m_midpoints;
+  bool m_changes_sign;
 };
 
 } // namespace CGAL::Polygon_mesh_processing::internal::vertex_location

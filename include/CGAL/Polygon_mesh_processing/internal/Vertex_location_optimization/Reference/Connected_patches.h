@@ -215,6 +215,7 @@ private:
         return;
   }
 
+  // Steps across a side that has the foot, if the patch there has a closer point.
   bool step_to_neighbor(const Point& query, Foot& foot, double& squared_distance) const
   {
     for(Index k = 0; k < 3; ++k)
@@ -230,7 +231,7 @@ private:
     return false;
   }
 
-  // The same to any patch that has the foot.
+  // Steps to any patch that has the foot, if it has a closer point.
   template <typename CanCross>
   bool step_around(const Point& query, Foot& foot, double& squared_distance, const CanCross& can_cross) const
   {
@@ -244,14 +245,8 @@ private:
     return false;
   }
 
-  static bool is_at_corner(const Foot& foot)
-  {
-    const std::array<double, 3> lambda = foot.coordinates.barycentric();
-    return *std::max_element(lambda.begin(), lambda.end()) >= 1 - boundary_tolerance;
-  }
-
-  // The same from anywhere in the patch. Points beyond a side that is farther away than the query are farther away, too,
-  // unless the surface folds back there.
+  // Steps across any side, wherever in the patch the foot is, if the patch there has a closer point. Points beyond a side
+  // that is farther away than the query are farther away, too, unless the surface folds back there.
   bool step_across_sides(const Point& query, Foot& foot, double& squared_distance) const
   {
     const Index patch = foot.patch;
@@ -264,6 +259,12 @@ private:
         return true;
     }
     return false;
+  }
+
+  static bool is_at_corner(const Foot& foot)
+  {
+    const std::array<double, 3> lambda = foot.coordinates.barycentric();
+    return *std::max_element(lambda.begin(), lambda.end()) >= 1 - boundary_tolerance;
   }
 
   Patch_tree<Patch> m_tree;

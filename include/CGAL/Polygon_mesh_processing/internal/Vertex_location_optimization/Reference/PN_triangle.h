@@ -176,16 +176,17 @@ private:
   bool minimize_distance(const Point& query, Coordinates x, Coordinates& foot, double& squared_distance_bound) const
   {
     constexpr int max_iterations = 20;
-    // Convergence is quadratic: steps leave an error of some 1e-8 and 1e-12. The first suffices far away from the patch.
+    // Convergence is quadratic: steps of these lengths leave errors of some 1e-8 and 1e-12. The first suffices far away.
     constexpr double precision_far_away = 1e-4, precision = 1e-6;
-    constexpr double far = 1000; // relative to that error
+    constexpr double far = 1000; // the distance, relative to that error
     Derivatives s = evaluate(x);
     double distance = squared_distance(query, s.point);
     for(int iteration = 0; iteration < max_iterations; ++iteration)
     {
-      auto [step, change] = newton_step(s, query, x);
+      auto [step, change, is_convex] = newton_step(s, query, x);
       const double length = std::abs(step.u) + std::abs(step.v);
-      const bool is_far_away = square(far * length * length) * (s.du.squared_length() + s.dv.squared_length()) < distance;
+      const double size2 = s.du.squared_length() + s.dv.squared_length();
+      const bool is_far_away = is_convex && square(far * length * length) * size2 < distance;
       if(length < (is_far_away ? precision_far_away : precision))
       {
         x = { x.u + step.u, x.v + step.v };
@@ -223,7 +224,8 @@ private:
   struct Newton_step
   {
     Coordinates step;
-    double change; // of the squared distance, by its quadratic model
+    double change;  // of the squared distance, by its quadratic model
+    bool is_convex; // the squared distance; otherwise the model is that of Gauss and Newton
   };
 
   // The step from `x` to the minimum of the quadratic model of the squared distance over the triangle of coordinates.
@@ -233,9 +235,10 @@ private:
     const double g_u = d * s.du, g_v = d * s.dv;
     double h_uu = s.du * s.du + d * s.duu, h_uv = s.du * s.dv + d * s.duv, h_vv = s.dv * s.dv + d * s.dvv;
     double det = h_uu * h_vv - h_uv * h_uv;
-    if(!(h_uu > 0 && det > 1e-6 * h_uu * h_vv))
+    const bool is_convex = h_uu > 0 && det > 1e-6 * h_uu * h_vv;
+    if(!is_convex)
     {
-      // not convex here: Gauss-Newton
+      // Gauss-Newton
       h_uu = s.du * s.du;
       h_uv = s.du * s.dv;
       h_vv = s.dv * s.dv;
@@ -247,11 +250,11 @@ private:
       const Coordinates step{ (h_uv * g_v - h_vv * g_u) / det, (h_uv * g_u - h_uu * g_v) / det };
       const double u = x.u + step.u, v = x.v + step.v;
       if(u >= 0 && v >= 0 && u + v <= 1)
-        return { step, g_u * step.u + g_v * step.v };
+        return { step, g_u * step.u + g_v * step.v, is_convex };
     }
 
     // the minimum is on the boundary: the best of the three sides
-    Newton_step best{ { 0, 0 }, 0 };
+    Newton_step best{ { 0, 0 }, 0, is_convex };
     auto try_side = [&](const Coordinates& a, const Coordinates& b) {
       const double e_u = b.u - a.u, e_v = b.v - a.v, a_u = a.u - x.u, a_v = a.v - x.v;
       const double curvature = h_uu * e_u * e_u + 2 * h_uv * e_u * e_v + h_vv * e_v * e_v;
@@ -261,7 +264,7 @@ private:
       const double change =
         2 * (g_u * step.u + g_v * step.v) + h_uu * step.u * step.u + 2 * h_uv * step.u * step.v + h_vv * step.v * step.v;
       if(change < best.change)
-        best = { step, change };
+        best = { step, change, is_convex };
     };
     try_side({ 0, 0 }, { 1, 0 });
     try_side({ 0, 0 }, { 0, 1 });

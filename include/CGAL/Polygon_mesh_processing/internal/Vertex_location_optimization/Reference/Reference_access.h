@@ -35,7 +35,8 @@ namespace CGAL::Polygon_mesh_processing::internal::vertex_location {
 //   project_locally(q, hint)      the closest point as far as walking from `hint` over neighbors leads closer. Much faster,
 //                                 and the same point unless another sheet of the surface is closer.
 //   project_among_neighbors(q, hint)
-//                                 the same, but it looks beyond concave edges, too: rather slower, and rarely wrong
+//                                 the same, but it looks beyond concave edges and around corners, too: rather
+//                                 slower, and rarely wrong
 //   walks                         whether these two walk, and may so miss a point that is closer
 //   prefetch(hint)                asks for what `project_locally(q, hint)` reads first, to be called some time before it
 //   point(foot), normal(foot)     a unit vector; the null vector where there is no normal

@@ -71,10 +71,10 @@ public:
   void set_offset(std::size_t i, const Vector& offset) { m_samples.offsets[i] = offset; }
 
   // takes sample i at the closest point to `query`; `hint` is the foot of a point nearby
-  template <typename Reference, typename... Hints>
-  void project(std::size_t i, const Reference& reference, const Point& query, const Hints&... hint)
+  template <typename Reference>
+  void project(std::size_t i, const Reference& reference, const Point& query, const Hint& hint)
   {
-    set_foot(i, reference, query, reference.project(query, hint...));
+    set_foot(i, reference, query, reference.project(query, hint));
   }
 
   // takes sample i at `foot`, that of `query`

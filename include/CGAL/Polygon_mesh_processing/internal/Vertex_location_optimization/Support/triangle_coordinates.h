@@ -69,8 +69,8 @@ inline Coordinates low_discrepancy_coordinates(const std::size_t number)
   return u + v > 1 ? Coordinates{ 1 - u, 1 - v } : Coordinates{ u, v };
 }
 
-// Calls f(x) for a point of each of the s * s triangles that the sides of a triangle, cut into s pieces, make. The points are
-// spread as at random, so that a mean over them is unbiased; faces whose `number` differs have different ones.
+// Calls f(x) for a point of each of the s * s triangles that the sides of a triangle, cut into s pieces, make. The points
+// are quasi-random, so that a mean over them has hardly any bias; for the same s, each `number` gives different ones.
 template <typename F>
 void for_each_stratified_sample(const std::size_t s, const std::size_t number, const F& f)
 {

@@ -211,8 +211,8 @@ Approximation_error approximation_error(const FaceRange& faces,
  * \brief measures the angle between the normals of a polygon mesh and those of a reference surface.
  *
  * Each point of a face has a normal, interpolated linearly from those at the corners. The angle between it and the normal of
- * the reference at the closest point is averaged over the area of `pmesh`. By default, a face gets eight samples for each
- * face of the reference that it covers, and at least 16.
+ * the reference at the closest point is averaged over the area of `pmesh`. By default, a face gets two samples for each
+ * face of the reference that it covers, and at least 25, at quasi-random places.
  *
  * The computations are done in double precision. The result does not depend on the number of threads.
  *

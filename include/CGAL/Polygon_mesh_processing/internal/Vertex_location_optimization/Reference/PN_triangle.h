@@ -176,22 +176,16 @@ private:
   bool minimize_distance(const Point& query, Coordinates x, Coordinates& foot, double& squared_distance_bound) const
   {
     constexpr int max_iterations = 20;
-    // Convergence is quadratic: steps of these lengths leave errors of some 1e-8 and 1e-12. The first suffices far away.
-    constexpr double precision_far_away = 1e-4, precision = 1e-6;
-    constexpr double far = 1000; // the distance, relative to that error
+    constexpr double precision = 1e-6; // convergence is quadratic: this step leaves an error of some 1e-12
     Derivatives s = evaluate(x);
     double distance = squared_distance(query, s.point);
     for(int iteration = 0; iteration < max_iterations; ++iteration)
     {
-      auto [step, change, is_convex] = newton_step(s, query, x);
-      const double length = std::abs(step.u) + std::abs(step.v);
-      const double size2 = s.du.squared_length() + s.dv.squared_length();
-      const bool is_far_away = is_convex && square(far * length * length) * size2 < distance;
-      if(length < (is_far_away ? precision_far_away : precision))
+      Coordinates step = newton_step(s, query, x);
+      if(std::abs(step.u) + std::abs(step.v) < precision)
       {
+        // too short for the distance to matter
         x = { x.u + step.u, x.v + step.v };
-        if(is_far_away) // else the step is too short for the distance to matter
-          distance = (std::max)(0., distance + change);
         break;
       }
 
@@ -221,24 +215,16 @@ private:
     return true;
   }
 
-  struct Newton_step
-  {
-    Coordinates step;
-    double change;  // of the squared distance, by its quadratic model
-    bool is_convex; // the squared distance; otherwise the model is that of Gauss and Newton
-  };
-
   // The step from `x` to the minimum of the quadratic model of the squared distance over the triangle of coordinates.
-  static Newton_step newton_step(const Derivatives& s, const Point& query, const Coordinates& x)
+  static Coordinates newton_step(const Derivatives& s, const Point& query, const Coordinates& x)
   {
     const Vector d = s.point - query;
     const double g_u = d * s.du, g_v = d * s.dv;
     double h_uu = s.du * s.du + d * s.duu, h_uv = s.du * s.dv + d * s.duv, h_vv = s.dv * s.dv + d * s.dvv;
     double det = h_uu * h_vv - h_uv * h_uv;
-    const bool is_convex = h_uu > 0 && det > 1e-6 * h_uu * h_vv;
-    if(!is_convex)
+    if(!(h_uu > 0 && det > 1e-6 * h_uu * h_vv))
     {
-      // Gauss-Newton
+      // not convex here: Gauss-Newton
       h_uu = s.du * s.du;
       h_uv = s.du * s.dv;
       h_vv = s.dv * s.dv;
@@ -250,21 +236,25 @@ private:
       const Coordinates step{ (h_uv * g_v - h_vv * g_u) / det, (h_uv * g_u - h_uu * g_v) / det };
       const double u = x.u + step.u, v = x.v + step.v;
       if(u >= 0 && v >= 0 && u + v <= 1)
-        return { step, g_u * step.u + g_v * step.v, is_convex };
+        return step;
     }
 
     // the minimum is on the boundary: the best of the three sides
-    Newton_step best{ { 0, 0 }, 0, is_convex };
+    Coordinates best{ 0, 0 };
+    double best_value = 0;
     auto try_side = [&](const Coordinates& a, const Coordinates& b) {
       const double e_u = b.u - a.u, e_v = b.v - a.v, a_u = a.u - x.u, a_v = a.v - x.v;
       const double curvature = h_uu * e_u * e_u + 2 * h_uv * e_u * e_v + h_vv * e_v * e_v;
       const double slope = g_u * e_u + g_v * e_v + h_uu * a_u * e_u + h_uv * (a_u * e_v + a_v * e_u) + h_vv * a_v * e_v;
       const double t = curvature > 0 ? (std::min)(1., (std::max)(0., -slope / curvature)) : 0.;
       const Coordinates step{ a_u + t * e_u, a_v + t * e_v };
-      const double change =
-        2 * (g_u * step.u + g_v * step.v) + h_uu * step.u * step.u + 2 * h_uv * step.u * step.v + h_vv * step.v * step.v;
-      if(change < best.change)
-        best = { step, change, is_convex };
+      const double value =
+        g_u * step.u + g_v * step.v + (h_uu * step.u * step.u + 2 * h_uv * step.u * step.v + h_vv * step.v * step.v) / 2;
+      if(value < best_value)
+      {
+        best_value = value;
+        best = step;
+      }
     };
     try_side({ 0, 0 }, { 1, 0 });
     try_side({ 0, 0 }, { 0, 1 });

@@ -62,7 +62,7 @@ inline double squared_distance_to_box(const Point& p, const Bbox_3& box)
 //   - point(x), its point with the coordinates x;
 //   - estimate_foot(q), which is cheap;
 //   - improve_foot(q, x, d2): if the patch has a point that is closer to q than sqrt(d2), sets x, which must be those of
-//     the estimate, to its coordinates and d2 to its squared distance, nearly exactly, and returns true;
+//     the estimate, to its coordinates and d2 to its squared distance, and returns true;
 //   - improve_foot_from(q, x, d2), the same with any x near the foot.
 template <typename Patch>
 class Patch_tree
